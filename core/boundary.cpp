@@ -1,0 +1,162 @@
+#include "core/boundary.hpp"
+
+namespace brisance {
+namespace {
+
+/// The halo planes of one direction and the planes that they stand for.
+struct Images {
+  int count = 0;
+  int halo[3] = {}, real[3] = {};
+  Side side[3] = {};
+  void add(int from, int to, Side kind) {
+    halo[count] = from;
+    real[count] = to;
+    side[count++] = kind;
+  }
+};
+
+template <int D>
+Images images(const Lattice<D>& lattice, const Boundaries<D>& boundaries, int d) {
+  const int n = lattice.cells[d];
+  const Side low = boundaries.side[d][0], high = boundaries.side[d][1];
+  Images list;
+  if (low == Side::periodic) {
+    list.add(-1, n - 1, low);
+    list.add(n, 0, low);
+    list.add(n + 1, 1 % n, low);
+    return list;
+  }
+  if (low != Side::free && boundaries.mirrors) list.add(-1, 1, low);
+  if (high != Side::free && boundaries.mirrors) list.add(n + 1, n - 1, high);
+  return list;
+}
+
+/// The nodes of a plane across direction d: `first(k)` is the k-th of the lowest plane.
+template <int D>
+struct Plane {
+  int stride, extent, nodes;
+  Plane(const Lattice<D>& lattice, int d)
+      : stride(lattice.stride[d]), extent(lattice.extent(d)), nodes(lattice.size / extent) {}
+  KOKKOS_INLINE_FUNCTION int node(int k, int coordinate) const {
+    return k / stride * stride * extent + k % stride + (coordinate + Lattice<D>::halo) * stride;
+  }
+};
+
+/// Whether component c of a vector changes sign in the mirror image across direction d.
+KOKKOS_INLINE_FUNCTION bool flips(Side side, int c, int d) {
+  return side == Side::fixed || (side == Side::wall && c == d);
+}
+
+}  // namespace
+
+template <int D>
+Vec<D> fold(const Table<double>& sums, int vectors, int columns, const Lattice<D>& lattice,
+            const Boundaries<D>& boundaries) {
+  Vec<D> swallowed;
+  for (int d = 0; d < D; ++d) {
+    const Images list = images(lattice, boundaries, d);
+    if (list.count == 0) continue;
+    const Plane<D> plane(lattice, d);
+    for (int c = 0; c < vectors; ++c) {
+      if (list.side[0] == Side::periodic) break;
+      double lost = 0;
+      Kokkos::parallel_reduce(
+          "mirror momentum", Kokkos::RangePolicy<Space>(0, plane.nodes),
+          KOKKOS_LAMBDA(const int k, double& sum) {
+            for (int i = 0; i < list.count; ++i)
+              if (flips(list.side[i], c, d)) sum += 2 * sums(plane.node(k, list.halo[i]), c);
+          },
+          lost);
+      swallowed[c] += lost;
+    }
+    Kokkos::parallel_for(
+        "fold halo", Kokkos::RangePolicy<Space>(0, plane.nodes), KOKKOS_LAMBDA(const int k) {
+          for (int i = 0; i < list.count; ++i)
+            for (int c = 0; c < columns; ++c) {
+              double& ghost = sums(plane.node(k, list.halo[i]), c);
+              const bool flip = c < vectors && flips(list.side[i], c, d);
+              sums(plane.node(k, list.real[i]), c) += flip ? -ghost : ghost;
+              ghost = 0;
+            }
+        });
+  }
+  return swallowed;
+}
+
+template <int D>
+Vec<D> constrain(const Table<double>& sums, const Lattice<D>& lattice, const Boundaries<D>& boundaries) {
+  Vec<D> stopped;
+  for (int d = 0; d < D; ++d)
+    for (int end = 0; end < 2; ++end) {
+      const Side side = boundaries.side[d][end];
+      if (side != Side::wall && side != Side::fixed) continue;
+      const Plane<D> plane(lattice, d);
+      const int at = end == 0 ? 0 : lattice.cells[d];
+      for (int c = 0; c < D; ++c) {
+        if (!flips(side, c, d)) continue;
+        double held = 0;
+        Kokkos::parallel_reduce(
+            "hold wall", Kokkos::RangePolicy<Space>(0, plane.nodes),
+            KOKKOS_LAMBDA(const int k, double& sum) {
+              double& value = sums(plane.node(k, at), c);
+              sum += value;
+              value = 0;
+            },
+            held);
+        stopped[c] += held;
+      }
+    }
+  return stopped;
+}
+
+template <int D>
+void fill(const Table<double>& field, int vectors, int columns, const Lattice<D>& lattice,
+          const Boundaries<D>& boundaries) {
+  for (int d = 0; d < D; ++d) {
+    const Images list = images(lattice, boundaries, d);
+    if (list.count == 0) continue;
+    const Plane<D> plane(lattice, d);
+    Kokkos::parallel_for(
+        "fill halo", Kokkos::RangePolicy<Space>(0, plane.nodes), KOKKOS_LAMBDA(const int k) {
+          for (int i = 0; i < list.count; ++i)
+            for (int c = 0; c < columns; ++c) {
+              const double value = field(plane.node(k, list.real[i]), c);
+              field(plane.node(k, list.halo[i]), c) =
+                  c < vectors && flips(list.side[i], c, d) ? -value : value;
+            }
+        });
+  }
+}
+
+template <int D>
+void fill_cells(const Table<double>& field, int columns, int column, double beyond_free,
+                const Lattice<D>& lattice, const Boundaries<D>& boundaries) {
+  for (int d = 0; d < D; ++d) {
+    const Plane<D> plane(lattice, d);
+    const int n = lattice.cells[d];
+    const bool periodic = boundaries.side[d][0] == Side::periodic;
+    for (int end = 0; end < 2; ++end) {
+      const bool open = boundaries.side[d][end] == Side::free;
+      const int halo = end == 0 ? -1 : n;
+      const int real = (end == 0) == periodic ? n - 1 : 0;
+      Kokkos::parallel_for(
+          "fill halo cells", Kokkos::RangePolicy<Space>(0, plane.nodes), KOKKOS_LAMBDA(const int k) {
+            for (int c = 0; c < columns; ++c)
+              field(plane.node(k, halo), c) =
+                  open && c == column ? beyond_free : field(plane.node(k, real), c);
+          });
+    }
+  }
+}
+
+#define BRISANCE_BOUNDARY(D)                                                                         \
+  template Vec<D> fold<D>(const Table<double>&, int, int, const Lattice<D>&, const Boundaries<D>&);  \
+  template Vec<D> constrain<D>(const Table<double>&, const Lattice<D>&, const Boundaries<D>&);       \
+  template void fill<D>(const Table<double>&, int, int, const Lattice<D>&, const Boundaries<D>&);    \
+  template void fill_cells<D>(const Table<double>&, int, int, double, const Lattice<D>&,             \
+                              const Boundaries<D>&);
+BRISANCE_BOUNDARY(1)
+BRISANCE_BOUNDARY(2)
+#undef BRISANCE_BOUNDARY
+
+}  // namespace brisance

@@ -1,0 +1,21 @@
+#pragma once
+// What is known of whole cells: how much of them is filled, and how smooth the flow is around them.
+#include "core/grid.hpp"
+
+namespace brisance {
+
+/// grid.cell <- mean strain rates and filled volume, out of the sums of Transfer::scatter_cells.
+template <class G>
+void average_cells(const Grid<G>& grid, const Accumulator& sums);
+
+/// grid.scale <- what fills a cell whose neighbours all hold particles: h^D / V; elsewhere 1.
+template <class G>
+void scale_cells(const Grid<G>& grid);
+
+/// grid.smoothness <- 1 where the strain rates of a cell vary linearly to its neighbours, 0 in a shock.
+/// Along each direction psi = max(0, min((r- + r+)/2, 2 r-, 2 r+, 1)), r the neighbours' rates over the cell's; the
+/// directions count by the size of their rates. (Christensen 1990)
+template <class G>
+void limit_cells(const Grid<G>& grid);
+
+}  // namespace brisance

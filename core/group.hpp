@@ -1,0 +1,85 @@
+#pragma once
+// The host-side face of the particles of one material. One virtual call per group and stage; inside, the law is
+// inlined (materials/group_impl.hpp).
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/grid.hpp"
+#include "core/particles.hpp"
+#include "core/transfer.hpp"
+
+namespace brisance {
+
+/// What a state variable is called, for output, restart and export.
+struct FieldName {
+  std::string name, unit;
+};
+
+/// Sums over particles. Energies in J, per metre (plane) or square metre (line).
+struct Totals {
+  double mass = 0, momentum[3] = {}, kinetic = 0, internal = 0;
+  double total() const { return kinetic + internal; }
+  Totals& operator+=(const Totals& t) {
+    mass += t.mass;
+    for (int d = 0; d < 3; ++d) momentum[d] += t.momentum[d];
+    kinetic += t.kinetic;
+    internal += t.internal;
+    return *this;
+  }
+};
+
+/// How a material's steps are done, from the scheme of the scene.
+struct GroupScheme {
+  bool midpoint = true;      ///< compatible energy with half-step stress; else MUSL
+  bool printed_work = false; ///< MUSL: the work divided by the new density, as printed in (A.19), (A.22)
+  double flip = 1;           ///< share of FLIP in the velocity update
+  double strain_length = 0;  ///< rate of volume change times this counts as a signal speed; limits it in a step [m]
+};
+
+template <class G>
+class Group {
+ public:
+  std::string label;      ///< the material's name in the scene
+  int velocity_class = 0;
+  GroupScheme scheme;
+  Particles<G> particles;
+  std::unique_ptr<Transfer<G>> transfer;
+  long floors = 0;  ///< how often a state had to be held at a lower bound, so far
+
+  virtual ~Group() = default;
+  virtual Stress stress() const = 0;
+  virtual bool fluid() const = 0;
+  virtual std::vector<FieldName> history_fields() const = 0;
+
+  /// Makes room for the particles and their columns; what the scheme of the whole step asks for comes in `needs`.
+  virtual void allocate(int capacity, ColumnNeeds needs) = 0;
+  /// State variables of fresh particles from begin on, whose stress column holds a pressure [Pa], or a specific
+  /// energy [J/kg].
+  virtual void initialise(int begin, bool from_energy) = 0;
+  /// The stress that belongs to density and state variables, before the first step. Returns the signal speed. [m/s]
+  virtual double start(const Grid<G>& grid) = 0;
+
+  /// Stress <- the stress half a step on, with the gradient at the start of the step.
+  virtual void half_step(const Grid<G>& grid, double dt) = 0;
+  /// State at the end of the step from gradient and work (midpoint). Returns the fastest signal speed. [m/s]
+  virtual double finish(const Grid<G>& grid, double dt) = 0;
+  /// State at the end of the step from the gradient alone (MUSL). Returns the fastest signal speed. [m/s]
+  virtual double update(const Grid<G>& grid, double dt) = 0;
+
+  /// Fluids, for core/relaxation: see there what the two scratch columns hold.
+  virtual void correct_volume(double rate) = 0;
+  virtual void load_pressure() = 0;
+  virtual void propose_exchange(double rate, double dt, double h) = 0;
+  virtual void exchange_volume() = 0;
+  virtual void exchange_energy() = 0;
+  virtual void load_heat(double rate, double dt) = 0;
+  virtual void conduct() = 0;
+
+  /// Sums over the particles begin .. end.
+  virtual Totals totals(int begin, int end, double affine_inertia) const = 0;
+  /// Pressure and, for fluids, specific internal energy of each particle, for output. [Pa], [J/kg]
+  virtual void report(const Array<double>& pressure, const Array<double>& energy) const = 0;
+};
+
+}  // namespace brisance

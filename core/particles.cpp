@@ -1,0 +1,36 @@
+#include "core/particles.hpp"
+
+#include <algorithm>
+
+#include "core/geometry.hpp"
+
+namespace brisance {
+
+template <class G>
+Particles<G>::Particles(int capacity, const ColumnNeeds& needs)
+    : position("position", capacity, D),
+      velocity("velocity", capacity, D),
+      gradient("gradient", capacity, D * D),
+      mass("mass", capacity, 1),
+      volume("volume", capacity, 1),
+      stress("stress", capacity, needs.stress == Stress::pressure ? 1 : 6),
+      history("history", capacity, needs.history),
+      id("id", capacity) {
+  if (needs.affine) affine = Table<double>("affine", capacity, D * D);
+  if (needs.work) work = Table<double>("work", capacity, 1);
+  if (needs.extent) extent = Table<double>("extent", capacity, D);
+  if (needs.relaxation) scratch = Table<double>("scratch", capacity, 2);
+}
+
+template <class G>
+void Particles<G>::reserve(int needed) {
+  if (needed <= capacity()) return;
+  const int room = std::max(needed, capacity() + capacity() / 4);
+  each_column([&](const char*, Table<double>& c, bool) { Kokkos::resize(c, room, c.extent(1)); });
+  Kokkos::resize(id, room);
+}
+
+template struct Particles<Line>;
+template struct Particles<PlaneStrain>;
+
+}  // namespace brisance

@@ -1,0 +1,114 @@
+#include "core/relaxation.hpp"
+
+#include "core/geometry.hpp"
+
+namespace brisance {
+namespace {
+
+template <class G>
+class Relaxation {
+ public:
+  static constexpr int D = G::dim;
+  std::vector<std::unique_ptr<Group<G>>>& groups;
+  const Grid<G>& grid;
+  Accumulator& sums;
+
+  template <class F>
+  void for_fluids(F&& f) {
+    for (auto& group : groups)
+      if (group->fluid()) f(*group);
+  }
+
+  enum class Weight { volume, scratch };
+
+  /// sums.total(node, 0) <- mean at the nodes of scratch column 0 or 1.
+  void average(int column, Weight weight) {
+    sums.clear();
+    for_fluids([&](Group<G>& g) {
+      auto& p = g.particles;
+      const Entry by = weight == Weight::volume ? Entry{p.volume, 0} : Entry{p.scratch, 1};
+      g.transfer->scatter_mean(p, grid.lattice, Entry{p.scratch, column}, by, sums);
+    });
+    sums.contribute();
+    fold(sums.total, 0, 2, grid.lattice, grid.boundaries);
+    const auto total = sums.total;
+    Kokkos::parallel_for(
+        "nodal mean", Kokkos::RangePolicy<Space>(0, grid.lattice.size), KOKKOS_LAMBDA(const int n) {
+          total(n, 0) = total(n, 1) > 0 ? total(n, 0) / total(n, 1) : 0;
+        });
+    fill(total, 0, 1, grid.lattice, grid.boundaries);
+  }
+
+  /// scratch(column) <- keep * scratch(column) + factor * nodal field gathered.
+  void gather(int field, int column, double keep, double factor) {
+    for_fluids([&](Group<G>& g) {
+      g.transfer->gather_scalar(g.particles, grid.lattice, sums.total, field, Entry{g.particles.scratch, column},
+                                keep, factor);
+    });
+  }
+
+  void remove_mean(int column, Weight weight) {
+    average(column, weight);
+    gather(0, column, 1, -1);
+  }
+
+  /// s_i = sum N V / V_i should be 1. Scratch 0 <- s at the particle; scratch 1 <- how much of its neighbourhood is
+  /// not full (s_i < 0.7), where nothing is corrected.
+  void volume(double rate) {
+    sums.clear();
+    for (auto& g : groups)
+      g->transfer->scatter_mean(g->particles, grid.lattice, Entry{g->particles.volume, 0},
+                                Entry{g->particles.volume, 0}, sums);
+    sums.contribute();
+    fold(sums.total, 0, 2, grid.lattice, grid.boundaries);
+    const auto total = sums.total;
+    const auto lattice = grid.lattice;
+    const auto boundaries = grid.boundaries;
+    Kokkos::parallel_for(
+        "fullness", Kokkos::RangePolicy<Space>(0, lattice.size), KOKKOS_LAMBDA(const int n) {
+          const double s = total(n, 1) / boundaries.nodal_volume(lattice, n);
+          total(n, 0) = s;
+          total(n, 1) = s < 0.7 ? 1 : 0;
+        });
+    fill(total, 0, 2, grid.lattice, grid.boundaries);
+    gather(0, 0, 0, 1);
+    gather(1, 1, 0, 1);
+    for_fluids([&](Group<G>& g) { g.correct_volume(rate); });
+  }
+
+  /// r = (1 - S S+)^2 P is the part of the pressure that no node sees.
+  void pressure(double rate, double dt) {
+    for_fluids([](Group<G>& g) { g.load_pressure(); });
+    remove_mean(0, Weight::volume);
+    remove_mean(0, Weight::volume);
+    for_fluids([&](Group<G>& g) { g.propose_exchange(rate, dt, grid.lattice.h); });
+    remove_mean(1, Weight::volume);
+    for_fluids([](Group<G>& g) { g.exchange_volume(); });
+    remove_mean(0, Weight::scratch);
+    for_fluids([](Group<G>& g) { g.exchange_energy(); });
+  }
+
+  void heat(double rate, double dt) {
+    for_fluids([&](Group<G>& g) { g.load_heat(rate, dt); });
+    remove_mean(0, Weight::scratch);
+    for_fluids([](Group<G>& g) { g.conduct(); });
+  }
+};
+
+}  // namespace
+
+template <class G>
+void relax(std::vector<std::unique_ptr<Group<G>>>& groups, const Grid<G>& grid, Accumulator& sums,
+           const RelaxationRates& rates, double dt) {
+  Relaxation<G> relaxation{groups, grid, sums};
+  if (rates.volume > 0) relaxation.volume(rates.volume);
+  if (rates.pressure > 0) relaxation.pressure(rates.pressure, dt);
+  if (rates.heat > 0) relaxation.heat(rates.heat, dt);
+}
+
+template void relax<Line>(std::vector<std::unique_ptr<Group<Line>>>&, const Grid<Line>&, Accumulator&,
+                          const RelaxationRates&, double);
+template void relax<PlaneStrain>(std::vector<std::unique_ptr<Group<PlaneStrain>>>&, const Grid<PlaneStrain>&,
+                                 Accumulator&, const RelaxationRates&, double);
+
+}  // namespace brisance

@@ -1,0 +1,24 @@
+#pragma once
+// Corrections of fluids after a step, each exact in mass, momentum and energy:
+// - volume: volumes that no longer add up to the space drift back to it;
+// - pressure: differences in pressure that no node can see (null-space noise) even out by exchange of volume;
+// - heat: compressing particles share their internal energy, which heals wall heating.
+// All are local means over nodes, S f = sum N w f / sum N w, gathered back with N.
+#include <memory>
+#include <vector>
+
+#include "core/group.hpp"
+
+namespace brisance {
+
+struct RelaxationRates {
+  double volume = 0;    ///< share of the volume error removed in a step [-]
+  double pressure = 0;  ///< rate in units of sound speed per cell [-]
+  double heat = 0;      ///< rate in units of the compression rate [-]
+};
+
+template <class G>
+void relax(std::vector<std::unique_ptr<Group<G>>>& groups, const Grid<G>& grid, Accumulator& sums,
+           const RelaxationRates& rates, double dt);
+
+}  // namespace brisance

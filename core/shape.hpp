@@ -1,0 +1,94 @@
+#pragma once
+// The shape functions along one direction; a node's weight is the product over the directions.
+// Each gives the first node that it touches, `base(xi)`, and the weights and slopes of its `width` nodes.
+// Lengths are in cells. Sources: Sulsky et al. (1994) for linear, Bardenhagen & Kober (2004) for GIMP,
+// Steffen, Kirby & Berzins (2008) for the splines.
+#include "core/types.hpp"
+
+namespace brisance {
+
+struct Linear {
+  static constexpr const char* name = "linear";
+  static constexpr bool sized = false;
+  static constexpr int width = 2;
+  static constexpr double affine_inertia = 0;  // not a spline with constant second moment: no APIC
+
+  KOKKOS_INLINE_FUNCTION static int base(double xi) { return static_cast<int>(floor(xi)); }
+
+  KOKKOS_INLINE_FUNCTION static void at(double d, double, double (&w)[2], double (&slope)[2]) {
+    w[0] = 1 - d;
+    w[1] = d;
+    slope[0] = -1;
+    slope[1] = 1;
+  }
+};
+
+/// A hat smeared over the particle's own extent, half of which is `half`, at most half a cell.
+struct Gimp {
+  static constexpr const char* name = "GIMP";
+  static constexpr bool sized = true;  // asks for the particle's extent
+  static constexpr int width = 3;
+  static constexpr double affine_inertia = 0;
+
+  KOKKOS_INLINE_FUNCTION static int base(double xi) { return static_cast<int>(floor(xi + 0.5)) - 1; }
+
+  KOKKOS_INLINE_FUNCTION static void at(double d, double half, double (&w)[3], double (&slope)[3]) {
+    for (int k = 0; k < 3; ++k) {
+      const double z = d - k, r = fabs(z), sign = z < 0 ? -1 : 1;
+      if (r < half) {
+        w[k] = 1 - (z * z + half * half) / (2 * half);
+        slope[k] = -z / half;
+      } else if (r < 1 - half) {
+        w[k] = 1 - r;
+        slope[k] = -sign;
+      } else if (r < 1 + half) {
+        w[k] = square(1 + half - r) / (4 * half);
+        slope[k] = -sign * (1 + half - r) / (2 * half);
+      } else {
+        w[k] = 0;
+        slope[k] = 0;
+      }
+    }
+  }
+};
+
+struct QuadraticSpline {
+  static constexpr const char* name = "quadratic";
+  static constexpr bool sized = false;
+  static constexpr int width = 3;
+  static constexpr double affine_inertia = 1. / 4;  // sum over nodes of w r r, in cells^2
+
+  KOKKOS_INLINE_FUNCTION static int base(double xi) { return static_cast<int>(floor(xi + 0.5)) - 1; }
+
+  KOKKOS_INLINE_FUNCTION static void at(double d, double, double (&w)[3], double (&slope)[3]) {
+    w[0] = 0.5 * square(1.5 - d);
+    w[1] = 0.75 - square(d - 1);
+    w[2] = 0.5 * square(d - 0.5);
+    slope[0] = d - 1.5;
+    slope[1] = -2 * (d - 1);
+    slope[2] = d - 0.5;
+  }
+};
+
+struct CubicSpline {
+  static constexpr const char* name = "cubic";
+  static constexpr bool sized = false;
+  static constexpr int width = 4;
+  static constexpr double affine_inertia = 1. / 3;
+
+  KOKKOS_INLINE_FUNCTION static int base(double xi) { return static_cast<int>(floor(xi)) - 1; }
+
+  KOKKOS_INLINE_FUNCTION static void at(double d, double, double (&w)[4], double (&slope)[4]) {
+    const double f = d - 1, g = 1 - f;
+    w[0] = g * g * g / 6;
+    w[1] = (3 * f * f * f - 6 * f * f + 4) / 6;
+    w[2] = (3 * g * g * g - 6 * g * g + 4) / 6;
+    w[3] = f * f * f / 6;
+    slope[0] = -g * g / 2;
+    slope[1] = (9 * f * f - 12 * f) / 6;
+    slope[2] = -(9 * g * g - 12 * g) / 6;
+    slope[3] = f * f / 2;
+  }
+};
+
+}  // namespace brisance

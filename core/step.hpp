@@ -1,0 +1,64 @@
+#pragma once
+// One time step, the algorithm on one screen (step.cpp).
+#include "core/group.hpp"
+#include "core/relaxation.hpp"
+#include "core/sort.hpp"
+
+namespace brisance {
+
+/// What neighbouring ranks do for each other. This one is alone and does nothing.
+template <class G>
+class Exchange {
+ public:
+  virtual ~Exchange() = default;
+  /// Adds what neighbours have summed for the nodes that both hold.
+  virtual void sum(Accumulator&) {}
+  /// Hands over the particles that have left this rank's box.
+  virtual void migrate(std::vector<std::unique_ptr<Group<G>>>&) {}
+  /// The largest value of all ranks.
+  virtual double max(double value) { return value; }
+};
+
+/// The choices of a scheme that concern the step as a whole.
+struct StepScheme {
+  bool midpoint = true;     ///< compatible energy with half-step stress; else MUSL (Appendix A)
+  double split_length = 0;  ///< fluids' particles longer than this many cells are split; 0: never
+  RelaxationRates rates;
+};
+
+template <class G>
+struct State {
+  static constexpr int D = G::dim;
+
+  Grid<G> grid;
+  std::vector<std::unique_ptr<Group<G>>> groups;
+  StepScheme scheme;
+  Accumulator sums;
+  Sorter<G> sorter;
+
+  double time = 0;
+  long step = 0;
+  std::int64_t next_id = 0;
+
+  Vec<D> wall_impulse;  ///< momentum given to walls so far [N s], per metre or square metre
+  Totals outflow;       ///< what left through free ends so far
+
+  State(const Grid<G>& grid_, const StepScheme& scheme_)
+      : grid(grid_), scheme(scheme_), sums(grid_.lattice.size, D + 1) {}
+
+  long particles() const {
+    long sum = 0;
+    for (const auto& g : groups) sum += g->particles.count;
+    return sum;
+  }
+};
+
+/// Sorts the particles and sets their gradients and stress. Returns the fastest signal. [m/s]
+template <class G>
+double start(State<G>& state, Exchange<G>& others);
+
+/// Advances by dt [s]. Returns the fastest signal at the end of the step, which sets the next dt. [m/s]
+template <class G>
+double step(State<G>& state, Exchange<G>& others, double dt);
+
+}  // namespace brisance

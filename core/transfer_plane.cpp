@@ -1,0 +1,5 @@
+#include "core/transfer_impl.hpp"
+
+namespace brisance {
+template std::unique_ptr<Transfer<PlaneStrain>> make_transfer<PlaneStrain>(const TransferChoice&);
+}

@@ -1,0 +1,104 @@
+#pragma once
+// The numbers every kernel speaks in. The only header that knows which Kokkos it is compiled with.
+#include <Kokkos_Core.hpp>
+#include <Kokkos_ScatterView.hpp>
+#include <cstdint>
+
+namespace brisance {
+
+#if defined(KOKKOS_VERSION) && KOKKOS_VERSION >= 30700
+namespace math = Kokkos;
+#else
+namespace math = Kokkos::Experimental;
+#endif
+/// Starts the parallel runtime; -1 threads: all there are.
+inline void initialize_kokkos(int threads) {
+#if defined(KOKKOS_VERSION) && KOKKOS_VERSION >= 30700
+  Kokkos::InitializationSettings settings;
+  if (threads > 0) settings.set_num_threads(threads);
+#else
+  Kokkos::InitArguments settings;
+  settings.num_threads = threads;
+#endif
+  Kokkos::initialize(settings);
+}
+
+using math::ceil;
+using math::exp;
+using math::fabs;
+using math::floor;
+using math::log;
+using math::pow;
+using math::sqrt;
+
+using Space = Kokkos::DefaultExecutionSpace;
+
+/// One value per row; rows of several components are stored component by component, so that a kernel that
+/// walks along a row of cells reads contiguous memory.
+template <class T>
+using Array = Kokkos::View<T*, Space>;
+template <class T>
+using Table = Kokkos::View<T**, Kokkos::LayoutLeft, Space>;
+
+KOKKOS_INLINE_FUNCTION double square(double a) { return a * a; }
+KOKKOS_INLINE_FUNCTION double least(double a, double b) { return a < b ? a : b; }
+KOKKOS_INLINE_FUNCTION double most(double a, double b) { return a > b ? a : b; }
+KOKKOS_INLINE_FUNCTION double clamp(double a, double low, double high) {
+  return least(most(a, low), high);
+}
+
+KOKKOS_INLINE_FUNCTION constexpr int power(int base, int exponent) {
+  return exponent == 0 ? 1 : base * power(base, exponent - 1);
+}
+
+/// A vector of D components.
+template <int D>
+struct Vec {
+  double a[D] = {};
+  KOKKOS_INLINE_FUNCTION double& operator[](int i) { return a[i]; }
+  KOKKOS_INLINE_FUNCTION double operator[](int i) const { return a[i]; }
+};
+
+template <int D>
+KOKKOS_INLINE_FUNCTION double dot(const Vec<D>& u, const Vec<D>& v) {
+  double sum = 0;
+  for (int d = 0; d < D; ++d) sum += u[d] * v[d];
+  return sum;
+}
+
+/// A D x D matrix, row by row; as a velocity gradient L, L(i, j) = d v_i / d x_j.
+template <int D>
+struct Mat {
+  double a[D * D] = {};
+  KOKKOS_INLINE_FUNCTION double& operator()(int i, int j) { return a[i * D + j]; }
+  KOKKOS_INLINE_FUNCTION double operator()(int i, int j) const { return a[i * D + j]; }
+};
+
+template <int D>
+KOKKOS_INLINE_FUNCTION double trace(const Mat<D>& m) {
+  double sum = 0;
+  for (int d = 0; d < D; ++d) sum += m(d, d);
+  return sum;
+}
+
+/// A symmetric tensor of three dimensions: xx, yy, zz, xy, yz, zx. Tension positive where it is a stress.
+struct Sym3 {
+  double a[6] = {};
+  KOKKOS_INLINE_FUNCTION double& operator[](int i) { return a[i]; }
+  KOKKOS_INLINE_FUNCTION double operator[](int i) const { return a[i]; }
+
+  /// Where the component (i, j) stands.
+  KOKKOS_INLINE_FUNCTION static constexpr int at(int i, int j) {
+    return i == j ? i : (i + j == 1 ? 3 : (i + j == 3 ? 4 : 5));
+  }
+};
+
+KOKKOS_INLINE_FUNCTION double trace(const Sym3& s) { return s[0] + s[1] + s[2]; }
+
+/// a : b, the double contraction.
+KOKKOS_INLINE_FUNCTION double contract(const Sym3& a, const Sym3& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] +
+         2 * (a[3] * b[3] + a[4] * b[4] + a[5] * b[5]);
+}
+
+}  // namespace brisance

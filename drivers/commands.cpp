@@ -1,0 +1,42 @@
+#include "drivers/commands.hpp"
+
+#include <Teuchos_ParameterList.hpp>
+#include <cstdio>
+#include <iostream>
+
+#include "drivers/input.hpp"
+#include "drivers/run.hpp"
+#include "drivers/scene.hpp"
+
+namespace brisance {
+
+List load_scene(const SceneRequest& request) {
+  Document document = read_input(request.file);
+  try {
+    if (!request.preset.empty())
+      apply_override(document, "preset=" + request.preset, valid_scene(*document.list));
+    for (const auto& assignment : request.assignments)
+      apply_override(document, assignment, valid_scene(*document.list));
+    List scene = complete_scene(*document.list);
+    scene.setName(std::filesystem::path(request.file).stem().string());
+    return scene;
+  } catch (const InputError& error) {
+    throw document.locate(error);
+  }
+}
+
+int run_command(const SceneRequest& request, const std::string& folder) {
+  const List scene = load_scene(request);
+  RunOptions options;
+  options.folder = folder.empty() ? "out/" + scene.name() : folder;
+  const RunResult result = run(scene, options);
+  for (const Verdict& v : result.outcome.verdicts)
+    std::printf("%-24s %12.4g %-6s %-20s %s\n", v.quantity.c_str(), v.measured, v.unit.c_str(), v.limit().c_str(),
+                v.reached() ? "reached" : "missed");
+  std::printf("%s: %s at t = %.6g s after %ld steps, %ld particles; results in %s\n", scene.name().c_str(),
+              result.outcome.status.c_str(), result.end.time, result.end.step, result.end.particles,
+              options.folder.c_str());
+  return result.outcome.status == "finished" ? 0 : 130;
+}
+
+}  // namespace brisance

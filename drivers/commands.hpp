@@ -1,0 +1,29 @@
+#pragma once
+// What the program can be asked to do. Each returns the exit status: 0 all well, 1 a limit missed or nothing done,
+// 2 bad input (thrown as InputError), 130 stopped by the user.
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/parameters.hpp"
+
+namespace brisance {
+
+/// A scene file with what the command line changes in it.
+struct SceneRequest {
+  std::string file;
+  std::string preset;                    ///< empty: as the scene says
+  std::vector<std::string> assignments;  ///< "list/parameter=value"
+};
+
+/// The complete scene; its name is that of the file. Throws InputError with file and line.
+List load_scene(const SceneRequest& request);
+
+int run_command(const SceneRequest& request, const std::string& folder);
+int verify_command(const std::vector<std::string>& files, const std::string& folder);
+int check_command(const SceneRequest& request);
+int describe_command(const std::string& name);
+int export_command(const std::string& folder, const std::string& csv, double time);
+int plot_command(const std::string& folder);
+
+}  // namespace brisance

@@ -1,0 +1,159 @@
+#include "drivers/files.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <memory>
+#include <stdexcept>
+#include <system_error>
+
+namespace brisance {
+namespace {
+
+constexpr std::size_t buffer_size = 1 << 20;
+
+std::string reason(int error) {
+  switch (error) {
+    case ENOSPC:
+    case EDQUOT:
+      return "the disk is full";
+    case EROFS:
+    case EACCES:
+    case EPERM:
+      return "the folder is read-only";
+    case ENOENT:
+    case ENOTDIR:
+      return "there is no such folder";
+    case EISDIR:
+      return "there is a folder of that name";
+    default:
+      return std::generic_category().message(error);
+  }
+}
+
+/// Some file systems know no fsync and say so by EINVAL; there is nothing more to be done on them.
+bool sync(int handle) { return ::fsync(handle) == 0 || errno == EINVAL || errno == ENOTSUP; }
+
+std::string gigabytes(double bytes) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g GB", bytes / 1e9);
+  return text;
+}
+
+}  // namespace
+
+AtomicFile::AtomicFile(const std::filesystem::path& path) : path_(path), temporary_(path) {
+  temporary_ += ".tmp";
+  handle_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (handle_ < 0) fail(errno);
+  buffer_.reserve(buffer_size);
+}
+
+AtomicFile::~AtomicFile() {
+  if (handle_ >= 0) discard();
+}
+
+void AtomicFile::write(const void* data, std::size_t bytes) {
+  size_ += bytes;
+  if (buffer_.size() + bytes > buffer_size) flush();
+  if (bytes > buffer_size) {
+    put(static_cast<const char*>(data), bytes);
+  } else {
+    buffer_.append(static_cast<const char*>(data), bytes);
+  }
+}
+
+void AtomicFile::commit() {
+  flush();
+  if (!sync(handle_)) fail(errno);
+  const int closed = ::close(handle_);
+  handle_ = -1;
+  if (closed != 0 || std::rename(temporary_.c_str(), path_.c_str()) != 0) fail(errno);
+
+  // The new name itself is safe only when the folder is on the disk too.
+  const auto folder = path_.has_parent_path() ? path_.parent_path() : std::filesystem::path(".");
+  const int opened = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (opened >= 0) {
+    sync(opened);
+    ::close(opened);
+  }
+}
+
+void AtomicFile::flush() {
+  put(buffer_.data(), buffer_.size());
+  buffer_.clear();
+}
+
+void AtomicFile::put(const char* data, std::size_t bytes) {
+  while (bytes > 0) {
+    const ssize_t written = ::write(handle_, data, bytes);
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) fail(errno);
+    data += written;
+    bytes -= static_cast<std::size_t>(written);
+  }
+}
+
+void AtomicFile::discard() {
+  if (handle_ >= 0) ::close(handle_);
+  handle_ = -1;
+  ::unlink(temporary_.c_str());
+}
+
+void AtomicFile::fail(int error) {
+  discard();
+  throw std::runtime_error("cannot write '" + path_.string() + "': " + reason(error));
+}
+
+void write_file(const std::filesystem::path& path, std::string_view text) {
+  AtomicFile file(path);
+  file.write(text);
+  file.commit();
+}
+
+std::string read_file(const std::filesystem::path& path) {
+  const auto refuse = [&](const std::string& why) {
+    throw std::runtime_error("cannot read '" + path.string() + "': " + why);
+  };
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
+                                                             &std::fclose);
+  if (!file) refuse(std::generic_category().message(errno));
+  std::string text;
+  char part[1 << 16];
+  while (const std::size_t got = std::fread(part, 1, sizeof part, file.get())) {
+    text.append(part, got);
+  }
+  if (std::ferror(file.get())) refuse(std::generic_category().message(errno));
+  return text;
+}
+
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (!error && !std::filesystem::is_directory(folder, error)) {
+    error = std::make_error_code(std::errc::file_exists);
+  }
+  if (!error) return;
+  const bool is_file = error == std::errc::file_exists || error == std::errc::not_a_directory;
+  throw std::runtime_error("cannot make the folder '" + folder.string() + "': " +
+                           (is_file ? "there is a file of that name" : reason(error.value())));
+}
+
+void require_space(const std::filesystem::path& folder, std::size_t bytes) {
+  std::error_code error;
+  const auto space = std::filesystem::space(folder, error);
+  if (error) {
+    throw std::runtime_error("cannot write into '" + folder.string() +
+                             "': " + reason(error.value()));
+  }
+  const double needed = 1.2 * static_cast<double>(bytes),
+               free = static_cast<double>(space.available);
+  if (needed > free) {
+    throw std::runtime_error("the disk of '" + folder.string() + "' has " + gigabytes(free) +
+                             " free but " + gigabytes(needed) + " are needed");
+  }
+}
+
+}  // namespace brisance

@@ -1,0 +1,56 @@
+#pragma once
+// Files that appear under their name complete or not at all.
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace brisance {
+
+/// Writes into PATH.tmp beside the file meant and renames it at commit(): whoever opens PATH sees
+/// the old content or the new one, never a part. The folder must exist. Every failure - no folder,
+/// read-only, disk full - throws std::runtime_error with one line that names the file and the
+/// reason. Without commit() nothing is left behind.
+class AtomicFile {
+ public:
+  explicit AtomicFile(const std::filesystem::path& path);
+  ~AtomicFile();
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+
+  void write(const void* data, std::size_t bytes);
+  void write(std::string_view text) { write(text.data(), text.size()); }
+
+  /// Bytes written so far.
+  std::size_t size() const { return size_; }
+
+  /// Forces the content to the disk and puts it under its name.
+  void commit();
+
+ private:
+  void flush();
+  void put(const char* data, std::size_t bytes);
+  void discard();
+  [[noreturn]] void fail(int error);
+
+  std::filesystem::path path_, temporary_;
+  std::string buffer_;
+  std::size_t size_ = 0;
+  int handle_ = -1;
+};
+
+/// The whole text as one atomic file.
+void write_file(const std::filesystem::path& path, std::string_view text);
+
+/// The content of a file; std::runtime_error with one line if it cannot be read.
+std::string read_file(const std::filesystem::path& path);
+
+/// Makes a folder with its parents; it is fine if it exists. Throws one line naming the folder and
+/// the reason.
+void make_folder(const std::filesystem::path& folder);
+
+/// Throws one line unless the folder has room for that many bytes and a fifth more: a disk that
+/// fills up during a write is found before the run has spent hours.
+void require_space(const std::filesystem::path& folder, std::size_t bytes);
+
+}  // namespace brisance

@@ -1,0 +1,91 @@
+#include <Teuchos_ParameterList.hpp>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+
+#include "drivers/commands.hpp"
+#include "drivers/describe.hpp"
+#include "drivers/input.hpp"
+#include "drivers/kernels.hpp"
+#include "drivers/presets.hpp"
+#include "drivers/scene.hpp"
+#include "drivers/simulation.hpp"
+#include "materials/registry.hpp"
+
+namespace brisance {
+namespace {
+
+/// A scene in which everything that the schema can hold is there.
+List example_scene() {
+  List scene;
+  scene.set("geometry", "plane strain");
+  scene.sublist("materials").sublist("NAME").set("law", law_names().front());
+  scene.sublist("bodies").sublist("NAME").set("material", "NAME");
+  scene.sublist("exact").set("solution", exact_solutions().front());
+  return scene;
+}
+
+/// A list of that name anywhere in the schema, or null.
+const List* find_anywhere(const List& list, const std::string& name) {
+  if (const List* found = find_list(list, name)) return found;
+  for (const auto& below : list_names(list))
+    if (const List* found = find_anywhere(list.sublist(below), name)) return found;
+  return nullptr;
+}
+
+bool contains(const std::vector<std::string>& words, const std::string& word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+/// The part of all schemas that a word of the command line means.
+List schema_of(const std::string& name) {
+  if (std::filesystem::is_regular_file(name)) return valid_scene(*read_input(name).list);
+  const List everything = valid_scene(example_scene());
+  if (name.empty()) return everything;
+  List given;
+  if (contains(law_names(), name))
+    return valid_material(given.set("law", name), valid_shock_viscosity(preset("balanced", 2)));
+  if (contains(exact_solutions(), name)) return valid_exact(given.set("solution", name));
+  if (const List* found = find_anywhere(everything, name)) return *found;
+  std::vector<std::string> words = list_names(everything);
+  for (const auto& more : {law_names(), exact_solutions()}) words.insert(words.end(), more.begin(), more.end());
+  throw InputError("", "", "", "there is no list, law, exact solution or file '" + one_line(name) + "'" +
+                                   did_you_mean(name, words));
+}
+
+}  // namespace
+
+int describe_command(const std::string& name) {
+  describe(schema_of(name), std::cout);
+  return 0;
+}
+
+int check_command(const SceneRequest& request) {
+  const List scene = load_scene(request);
+  const List* exact_list = find_list(scene, "exact");
+  const auto exact = exact_list ? make_exact(*exact_list) : nullptr;
+  const auto simulation = make_simulation(scene, exact.get());
+  const double end = get<double>(scene.sublist("time"), "end");
+  const double steps = std::ceil(end / simulation->dt());
+  const auto kernels = kernels_of([&] { simulation->advance(end); });
+  const Footprint f = simulation->footprint();
+
+  std::printf("%s: %s\n", request.file.c_str(), get<std::string>(scene, "title").c_str());
+  std::printf("cells      %.0f\nparticles  %.0f\n", f.cells, f.particles);
+  std::printf("steps      about %.0f, from the fastest signal at the start\n", steps);
+  double bytes = 0;
+  std::printf("columns    bytes a particle\n");
+  for (const auto& column : f.columns) {
+    std::printf("  %-16s %6.1f\n", column.name.c_str(), column.bytes);
+    bytes += column.bytes;
+  }
+  const double sort = f.sort_bytes / f.particles, grid = f.grid_bytes / f.particles;
+  std::printf("  %-16s %6.1f\n  %-16s %6.1f\n  %-16s %6.1f\n", "sorting", sort, "grid", grid, "all",
+              bytes + sort + grid);
+  std::printf("kernels    launches in a step\n");
+  for (const auto& [name, launches] : kernels) std::printf("  %-28s %4d\n", name.c_str(), launches);
+  return 0;
+}
+
+}  // namespace brisance

@@ -1,0 +1,96 @@
+// The program: reads the command line and calls the command.
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <cstdio>
+
+#include "core/types.hpp"
+#include "drivers/commands.hpp"
+#include "drivers/fpe.hpp"
+#include "drivers/run.hpp"
+#include "version.hpp"
+
+namespace {
+
+std::string version_text() {
+  namespace v = brisance::version;
+  return std::string("brisance ") + v::number + " (" + v::commit + ", " + v::compiler + ", " + v::build_type +
+         ")\nKokkos " + v::kokkos + " (" + v::kokkos_devices + "), HDF5 " + v::hdf5 + ", " + v::mpi;
+}
+
+void add_scene(CLI::App& command, brisance::SceneRequest& scene) {
+  command.add_option("SCENE", scene.file, "scene file (.xml)")->required();
+  command.add_option("--preset", scene.preset, "scheme: paper, fast, balanced, accurate");
+  command.add_option("--set", scene.assignments, "'list/parameter=value', any number of times")
+      ->allow_extra_args(false);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using namespace brisance;
+  CLI::App app{"Blast and fragments on structures, by the material point method."};
+  app.require_subcommand(1);
+  app.set_version_flag("--version", version_text());
+
+  SceneRequest scene;
+  std::string folder, name, csv;
+  std::vector<std::string> files;
+  double time = -1;
+  int threads = -1;
+  const auto add_threads = [&](CLI::App* command) {
+    command->add_option("--threads", threads, "threads (default: all)")->check(CLI::Range(1, 4096));
+  };
+
+  CLI::App* run_ = app.add_subcommand("run", "run a scene");
+  add_scene(*run_, scene);
+  run_->add_option("--out", folder, "folder for the results (default: out/<scene>)");
+  add_threads(run_);
+
+  CLI::App* verify = app.add_subcommand("verify", "run scenes and hold them against their limits");
+  verify->add_option("SCENE", files, "scene files (default: all in inputs/)");
+  verify->add_option("--out", folder, "folder for the results (default: none are kept)");
+  add_threads(verify);
+
+  CLI::App* check_ = app.add_subcommand("check", "validate a scene and print what it takes");
+  add_scene(*check_, scene);
+  add_threads(check_);
+
+  CLI::App* describe_ = app.add_subcommand("describe", "print lists and parameters with default, rule, unit and doc");
+  describe_->add_option("NAME", name, "a list, a law, an exact solution or a scene file; default: everything");
+
+  CLI::App* export_ = app.add_subcommand("export", "write the particles of a run as a table");
+  export_->add_option("DIR", folder, "folder of a run")->required();
+  export_->add_option("--csv", csv, "file to write")->required();
+  export_->add_option("--time", time, "time of the output, the nearest is taken (default: the last) [s]");
+
+  CLI::App* plot = app.add_subcommand("plot", "make pictures of a run");
+  plot->add_option("DIR", folder, "folder of a run")->required();
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+
+  std::signal(SIGINT, [](int) { request_stop(); });
+  std::signal(SIGTERM, [](int) { request_stop(); });
+  initialize_kokkos(threads);
+  trap_floating_point_errors();
+  int status = 0;
+  try {
+    if (*run_) status = run_command(scene, folder);
+    if (*verify) status = verify_command(files, folder);
+    if (*check_) status = check_command(scene);
+    if (*describe_) status = describe_command(name);
+    if (*export_) status = export_command(folder, csv, time);
+    if (*plot) status = plot_command(folder);
+  } catch (const InputError& error) {
+    std::fprintf(stderr, "brisance: %s\n", error.what());
+    status = 2;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "brisance: %s\n", error.what());
+    status = 1;
+  }
+  Kokkos::finalize();
+  return status;
+}

@@ -1,0 +1,51 @@
+#pragma once
+// The folder of a run: what people open afterwards.
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/parameters.hpp"
+#include "drivers/checks.hpp"
+#include "drivers/exact.hpp"
+#include "drivers/ledger.hpp"
+#include "drivers/simulation.hpp"
+#include "drivers/vtk.hpp"
+
+namespace brisance {
+
+/// How a run ended, for summary.json.
+struct Outcome {
+  std::string status;  ///< "finished", "interrupted"
+  double wall_seconds = 0, cpu_seconds = 0, particle_steps = 0;
+  std::vector<Measure> measures;
+  std::vector<Verdict> verdicts;
+};
+
+/// Writes into one folder; all failures throw std::runtime_error with one line.
+class Results {
+ public:
+  /// Makes the folder and writes the completed scene into it.
+  Results(const std::filesystem::path& folder, const List& scene);
+
+  /// Particles and grid at one time.
+  void add(const Snapshot& shot);
+  /// A line of history.csv.
+  void add(const Ledger& ledger, const Balance& balance);
+  /// The exact solution along the scene at its end, for plots.
+  void write_exact(const ExactSolution& exact, const Snapshot& shot);
+  void write_summary(const Outcome& outcome, const Ledger& ledger, const Balance& balance);
+
+  const std::filesystem::path& folder() const { return folder_; }
+
+ private:
+  std::filesystem::path folder_;
+  std::string scene_, title_, geometry_;
+  double cell_size_;
+  bool particles_, grid_;
+  vtk::Series particle_series_, grid_series_;
+  std::string history_;
+
+  std::string numbered(const std::string& name) const;
+};
+
+}  // namespace brisance

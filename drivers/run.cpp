@@ -1,0 +1,94 @@
+#include "drivers/run.hpp"
+
+#include <Teuchos_ParameterList.hpp>
+#include <chrono>
+#include <csignal>
+#include <ctime>
+#include <optional>
+
+#include "drivers/progress.hpp"
+#include "drivers/simulation.hpp"
+
+namespace brisance {
+namespace {
+
+volatile std::sig_atomic_t stop_requested = 0;
+
+double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+/// The times of output: multiples of an interval; a step passes one when it first reaches it.
+class Cadence {
+ public:
+  Cadence(double interval, double end) : interval_(interval > 0 ? interval : end / 10) { next_ = interval_; }
+  bool due(double time) {
+    if (time < next_ * (1 - 1e-12)) return false;
+    while (next_ <= time * (1 + 1e-12)) next_ = static_cast<double>(++count_) * interval_;
+    return true;
+  }
+
+ private:
+  double interval_, next_;
+  long count_ = 1;
+};
+
+}  // namespace
+
+void request_stop() { stop_requested = 1; }
+
+RunResult run(const List& scene, const RunOptions& options) {
+  const List* exact_list = find_list(scene, "exact");
+  const auto exact = exact_list ? make_exact(*exact_list) : nullptr;
+  const auto simulation = make_simulation(scene, exact.get());
+  const double end = get<double>(scene.sublist("time"), "end");
+  const Ledger ledger(simulation->balance());
+
+  std::optional<Results> results;
+  if (!options.folder.empty()) results.emplace(options.folder, scene);
+  const auto write = [&] {
+    if (!results) return;
+    results->add(simulation->snapshot());
+    results->add(ledger, simulation->balance());
+  };
+
+  Progress::Options shown;
+  shown.end = end;
+  shown.quiet = options.quiet;
+  if (results) shown.log = options.folder / "log.txt";
+  Progress progress(shown);
+  const auto standing = [&] {
+    return Standing{simulation->time(), simulation->dt(), simulation->step_count(), simulation->particle_count()};
+  };
+
+  write();
+  Cadence cadence(get<double>(scene.sublist("output"), "interval"), end);
+  RunResult result;
+  const auto started = std::chrono::steady_clock::now();
+  const double cpu = cpu_seconds();
+  while (simulation->time() < end && !stop_requested) {
+    simulation->advance(end);
+    result.outcome.particle_steps += static_cast<double>(simulation->particle_count());
+    progress.update(standing());
+    if (cadence.due(simulation->time()) && simulation->time() < end) write();
+  }
+  result.outcome.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+  result.outcome.cpu_seconds = cpu_seconds() - cpu;
+  result.outcome.status = simulation->time() < end ? "interrupted" : "finished";
+  progress.finish(standing());
+
+  result.end = simulation->balance();
+  result.cell_size = get<double>(scene.sublist("grid"), "cell size");
+  const Snapshot shot = simulation->snapshot();
+  result.outcome.measures = ledger.measures(result.end);
+  if (exact)
+    for (const Measure& m : exact->measures(shot.table, shot.time)) result.outcome.measures.push_back(m);
+  if (result.outcome.status == "finished")
+    result.outcome.verdicts = judge(find_list(scene, "checks"), result.outcome.measures);
+  if (results) {
+    write();
+    if (exact) results->write_exact(*exact, shot);
+    results->write_summary(result.outcome, ledger, result.end);
+  }
+  return result;
+}
+
+}  // namespace brisance

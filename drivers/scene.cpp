@@ -1,0 +1,207 @@
+#include "drivers/scene.hpp"
+
+#include <Teuchos_ParameterList.hpp>
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "core/transfer.hpp"
+#include "drivers/exact.hpp"
+#include "drivers/ledger.hpp"
+#include "drivers/presets.hpp"
+#include "materials/registry.hpp"
+
+namespace brisance {
+namespace {
+
+constexpr std::array<const char*, 3> axes = {"x", "y", "z"};
+
+List empty_or(const List* list) { return list ? *list : List(); }
+
+Preset chosen_preset(const List& given) {
+  List valid;
+  declare(valid, "preset", "balanced", one_of({"paper", "fast", "balanced", "accurate"}),
+          "scheme whose defaults are used [-]");
+  declare(valid, "geometry", "line", one_of({"line", "plane strain"}), "[-]");
+  return preset(peek<std::string>(given, valid, "preset"),
+                peek<std::string>(given, valid, "geometry") == "line" ? 1 : 2);
+}
+
+void add_grid(List& valid, int dim) {
+  List& grid = declare_list(valid, "grid", "the background grid of square cells");
+  declare(grid, "origin", std::vector<double>(dim, 0.0), anything() && entries(dim), "low corner [m]");
+  declare_required<std::vector<int>>(grid, "cells", at_least(1) && entries(dim), "cells along each direction [-]");
+  declare_required<double>(grid, "cell size", positive(), "edge of a cell [m]");
+}
+
+void add_boundaries(List& valid, int dim) {
+  List& ends = declare_list(valid, "boundaries", "what happens at the ends of the grid");
+  for (int d = 0; d < dim; ++d)
+    for (const char* end : {" low", " high"})
+      declare(ends, std::string(axes[d]) + end, "wall", one_of({"wall", "fixed", "free", "periodic"}),
+              "frictionless wall, fixed wall, empty space, or joined to the other end [-]");
+}
+
+void add_time(List& valid, const Preset& preset) {
+  List& time = declare_list(valid, "time", "how far, and in which steps");
+  declare_required<double>(time, "end", positive(), "simulated time [s]");
+  declare(time, "CFL", preset.cfl, above(0) && at_most(0.95), "cells that the fastest signal may cross in a step [-]");
+  declare(time, "largest growth", 1.2, between(1, 10), "factor by which a step may exceed the one before [-]");
+  declare(time, "largest volume change", preset.largest_volume_change, above(0) && at_most(0.9),
+          "share of its volume that a particle may gain or lose in a step [-]");
+}
+
+void add_shape(List& valid, int dim) {
+  List& box = declare_optional_list(valid, "box", "the body is a box");
+  declare_required<std::vector<double>>(box, "low", anything() && entries(dim), "low corner [m]");
+  declare_required<std::vector<double>>(box, "high", anything() && entries(dim), "high corner [m]");
+  List& disc = declare_optional_list(valid, "disc", "the body is a disc");
+  declare_required<std::vector<double>>(disc, "centre", anything() && entries(dim), "centre [m]");
+  declare_required<double>(disc, "radius", positive(), "radius [m]");
+}
+
+List valid_body(const List& given, const std::vector<std::string>& materials, int dim) {
+  List valid;
+  declare_required<std::string>(valid, "material", one_of(materials), "name of its material [-]");
+  declare(valid, "particles per cell", 3, at_least(1) && at_most(16), "particles along each direction of a cell [-]");
+  declare(valid, "initial state", "uniform", one_of({"uniform", "exact"}),
+          "uniform, or that of the exact solution at time 0 [-]");
+  if (peek<std::string>(given, valid, "initial state") == "uniform") {
+    declare_required<double>(valid, "density", positive(), "density [kg/m^3]");
+    const auto present = names(given);
+    const auto has = [&](const char* name) {
+      return std::find(present.begin(), present.end(), name) != present.end();
+    };
+    if (has("specific energy") && has("pressure"))
+      refuse(given, "specific energy", "is given beside 'pressure': give one of the two");
+    if (has("specific energy"))
+      declare_required<double>(valid, "specific energy", at_least_zero(), "specific internal energy [J/kg]");
+    else
+      declare_required<double>(valid, "pressure", at_least_zero(), "pressure [Pa]");
+    declare(valid, "velocity", std::vector<double>(dim, 0.0), anything() && entries(dim), "velocity [m/s]");
+  }
+  add_shape(valid, dim);
+  return valid;
+}
+
+void add_output(List& valid) {
+  List& output = declare_list(valid, "output", "what is written while the run goes on");
+  declare(output, "interval", 0.0, at_least_zero(), "simulated time between outputs; 0: a tenth of the run [s]");
+  declare(output, "particles", true, anything(), "particles, as .vtp [-]");
+  declare(output, "grid", true, anything(), "nodes and cells, as .vti [-]");
+}
+
+void add_range(List& list, const MeasureDoc& measure) {
+  List& range = declare_optional_list(list, measure.name, measure.doc);
+  const std::string unit = " [" + (measure.unit.empty() ? std::string("-") : measure.unit) + "]";
+  declare(range, "least", std::numeric_limits<double>::lowest(), anything(), "least value that is right" + unit);
+  declare(range, "most", std::numeric_limits<double>::max(), anything(), "greatest value that is right" + unit);
+}
+
+void add_checks(List& valid, const List* exact, int dim) {
+  List& checks = declare_optional_list(valid, "checks", "what the run must reach; told by 'verify'");
+  for (const auto& measure : conservation_measures()) add_range(checks, measure);
+  if (!exact) return;
+  const auto solution = make_exact(check(*exact, valid_exact(*exact)));
+  if (solution->least_dim() > dim) refuse(*exact, "solution", "needs a grid of more directions");
+  const auto measures = solution->measure_docs();
+  for (const auto& measure : measures) add_range(checks, measure);
+
+  List& convergence = declare_optional_list(valid, "convergence", "runs on several grids, by 'verify'");
+  declare_required<std::vector<int>>(convergence, "cells", at_least(2), "cells along x, one run each [-]");
+  List& orders = declare_optional_list(convergence, "order", "order of convergence of measures");
+  List& every = declare_optional_list(convergence, "every", "what each of the runs must reach");
+  for (const auto& measure : measures) {
+    add_range(orders, measure);
+    add_range(every, measure);
+  }
+}
+
+void check_pairs(const List& scene, int dim) {
+  const List& ends = scene.sublist("boundaries");
+  for (int d = 0; d < dim; ++d) {
+    const std::string low = std::string(axes[d]) + " low", high = std::string(axes[d]) + " high";
+    const bool a = get<std::string>(ends, low) == "periodic", b = get<std::string>(ends, high) == "periodic";
+    if (a != b) refuse(ends, a ? high : low, "must be periodic too: the two ends are joined");
+  }
+  const List& grid = scene.sublist("grid");
+  double nodes = 1;
+  for (const int n : get<std::vector<int>>(grid, "cells")) nodes *= n + 3.0;
+  if (nodes > 2e9) refuse(grid, "cells", "must be fewer than 2e9 in all");
+}
+
+void check_scheme(const List& scene) {
+  const List& scheme = scene.sublist("scheme");
+  const auto text = [&](const char* name) { return get<std::string>(scheme, name); };
+  const std::string rule = broken_rule({text("shape"), text("transfer"), text("quadrature")});
+  if (!rule.empty()) refuse(scheme, text("quadrature") == "cell" ? "quadrature" : "transfer", rule);
+  if (text("integration") == "midpoint") return;
+  if (text("transfer") != "FLIP") refuse(scheme, "transfer", "must be 'FLIP' with MUSL");
+  for (const char* name : {"volume relaxation", "pressure relaxation", "heat conduction"})
+    if (get<double>(scheme, name) > 0) refuse(scheme, name, "must be 0 with MUSL: it needs the midpoint's energy");
+}
+
+void check_bodies(const List& scene) {
+  const List& bodies = scene.sublist("bodies");
+  for (const auto& name : list_names(bodies)) {
+    const List& body = bodies.sublist(name);
+    const List *box = find_list(body, "box"), *disc = find_list(body, "disc");
+    if (box && disc) refuse(*disc, "", "stands beside 'box': a body has one shape");
+    if (get<std::string>(body, "initial state") == "exact" && !find_list(scene, "exact"))
+      refuse(body, "initial state", "needs a list 'exact' in the scene");
+    if (!box) continue;
+    const auto low = get<std::vector<double>>(*box, "low"), high = get<std::vector<double>>(*box, "high");
+    for (std::size_t d = 0; d < low.size(); ++d)
+      if (!(low[d] < high[d])) refuse(*box, "high", "must be above 'low' along each direction");
+  }
+}
+
+}  // namespace
+
+int dimension(const List& scene) { return get<std::string>(scene, "geometry") == "line" ? 1 : 2; }
+
+List valid_scene(const List& given) {
+  List valid;
+  declare(valid, "title", "", anything(), "what the scene shows, in a line [-]");
+  declare_required<std::string>(valid, "geometry", one_of({"line", "plane strain"}),
+                                "line: a slab of unit area; plane strain: unit thickness [-]");
+  declare(valid, "preset", "balanced", one_of({"paper", "fast", "balanced", "accurate"}),
+          "scheme whose defaults are used [-]");
+  const int dim = peek<std::string>(given, valid, "geometry") == "line" ? 1 : 2;
+  const Preset preset = chosen_preset(given);
+  add_grid(valid, dim);
+  add_boundaries(valid, dim);
+  add_time(valid, preset);
+  declare_list(valid, "scheme", "the method") = valid_scheme(preset);
+
+  const List given_materials = empty_or(find_list(given, "materials"));
+  List& materials = declare_list(valid, "materials", "one list for each material, under a name of its own");
+  for (const auto& name : list_names(given_materials))
+    declare_list(materials, name, "a material") =
+        valid_material(*find_list(given_materials, name), valid_shock_viscosity(preset));
+
+  const List given_bodies = empty_or(find_list(given, "bodies"));
+  List& bodies = declare_list(valid, "bodies", "one list for each body; the first that holds a cell's centre owns it");
+  for (const auto& name : list_names(given_bodies))
+    declare_list(bodies, name, "a body") =
+        valid_body(*find_list(given_bodies, name), list_names(given_materials), dim);
+
+  add_output(valid);
+  const List* exact = find_list(given, "exact");
+  List& exact_list = declare_optional_list(valid, "exact", "the known answer that the run is measured against");
+  if (exact) exact_list = valid_exact(*exact);
+  add_checks(valid, exact, dim);
+  return valid;
+}
+
+List complete_scene(const List& given) {
+  const List scene = check(given, valid_scene(given));
+  if (list_names(scene.sublist("materials")).empty()) refuse(scene, "materials", "must name a material");
+  if (list_names(scene.sublist("bodies")).empty()) refuse(scene, "bodies", "must name a body");
+  check_pairs(scene, dimension(scene));
+  check_scheme(scene);
+  check_bodies(scene);
+  return scene;
+}
+
+}  // namespace brisance

@@ -1,0 +1,217 @@
+#include "drivers/simulation.hpp"
+
+#include <Teuchos_ParameterList.hpp>
+#include <algorithm>
+#include <map>
+
+#include "core/geometry.hpp"
+#include "core/step.hpp"
+#include "drivers/bodies.hpp"
+#include "materials/registry.hpp"
+
+namespace brisance {
+namespace {
+
+Side side_of(const std::string& name) {
+  static const std::map<std::string, Side> sides = {
+      {"wall", Side::wall}, {"fixed", Side::fixed}, {"free", Side::free}, {"periodic", Side::periodic}};
+  return sides.at(name);
+}
+
+template <class G>
+class SimulationIn final : public Simulation {
+ public:
+  static constexpr int D = G::dim;
+
+  SimulationIn(const List& scene, const ExactSolution* exact) : state_(make_grid(scene), make_scheme(scene)) {
+    const List& scheme = scene.sublist("scheme");
+    const List& time = scene.sublist("time");
+    cfl_ = get<double>(time, "CFL");
+    growth_ = get<double>(time, "largest growth");
+
+    const List& materials = scene.sublist("materials");
+    for (const auto& name : list_names(materials)) {
+      auto group = make_group<G>(materials.sublist(name), scheme.sublist("artificial viscosity"));
+      group->label = name;
+      group->transfer = make_transfer<G>(transfer_choice(scheme));
+      group->scheme.midpoint = state_.scheme.midpoint;
+      group->scheme.printed_work = get<std::string>(scheme, "MUSL work") == "printed";
+      group->scheme.flip = get<double>(scheme, "FLIP share");
+      group->scheme.strain_length =
+          cfl_ * state_.grid.lattice.h / get<double>(time, "largest volume change");
+      state_.groups.push_back(std::move(group));
+    }
+    seed(state_, scene, exact);
+    fastest_ = start(state_, others_);
+    dt_ = stable_step();
+  }
+
+  double time() const override { return state_.time; }
+  double dt() const override { return state_.step > 0 ? dt_ : next_step(); }
+  long step_count() const override { return state_.step; }
+  long particle_count() const override { return state_.particles(); }
+
+  void advance(double end) override {
+    dt_ = next_step();
+    const double left = end - state_.time;
+    const bool last = dt_ >= left * (1 - 1e-12);
+    fastest_ = step(state_, others_, last ? left : dt_);
+    if (last) state_.time = end;
+    if (!(fastest_ < 1e299))
+      throw std::runtime_error("step " + std::to_string(state_.step) + ", time " + std::to_string(state_.time) +
+                               " s: the state is no longer finite; try a smaller 'time/CFL'");
+  }
+
+  Balance balance() const override {
+    Balance b;
+    b.step = state_.step;
+    b.time = state_.time;
+    b.dt = dt();
+    b.particles = state_.particles();
+    b.outflow = state_.outflow;
+    for (int d = 0; d < D; ++d) b.wall_impulse[d] = state_.wall_impulse[d];
+    for (const auto& g : state_.groups) {
+      b.totals += g->totals(0, g->particles.count, g->transfer->affine_inertia(state_.grid.lattice.h));
+      b.floors += g->floors;
+    }
+    return b;
+  }
+
+  Snapshot snapshot() const override {
+    Snapshot shot;
+    shot.time = state_.time;
+    ParticleTable& t = shot.table;
+    t.dim = D;
+    t.cell_size = state_.grid.lattice.h;
+    for (int d = 0; d < D; ++d) {
+      t.origin[d] = state_.grid.lattice.origin[d];
+      t.cells[d] = state_.grid.lattice.cells[d];
+    }
+    for (std::size_t g = 0; g < state_.groups.size(); ++g) copy(*state_.groups[g], static_cast<int>(g), shot);
+    return shot;
+  }
+
+  Footprint footprint() const override {
+    Footprint f;
+    std::map<std::string, double> bytes;
+    for (const auto& g : state_.groups) {
+      Particles<G> p = g->particles;
+      f.particles += p.count;
+      p.each_column([&](const char* name, const Table<double>& c, bool) {
+        bytes[name] += static_cast<double>(p.count * c.extent(1) * sizeof(double));
+      });
+      bytes["id"] += static_cast<double>(p.count * sizeof(std::int64_t));
+    }
+    for (const auto& [name, sum] : bytes) f.columns.push_back({name, sum / f.particles});
+    f.cells = 1;
+    for (int d = 0; d < D; ++d) f.cells *= state_.grid.lattice.cells[d];
+    f.grid_bytes = static_cast<double>(state_.grid.bytes() + state_.sums.bytes());
+    f.sort_bytes = static_cast<double>(state_.sorter.bytes());
+    return f;
+  }
+
+ private:
+  State<G> state_;
+  Exchange<G> others_;
+  double cfl_ = 0, growth_ = 0, fastest_ = 0, dt_ = 0;
+
+  double stable_step() const { return cfl_ * state_.grid.lattice.h / std::max(fastest_, 1e-300); }
+  double next_step() const { return std::min(stable_step(), growth_ * dt_); }
+
+  static TransferChoice transfer_choice(const List& scheme) {
+    return {get<std::string>(scheme, "shape"), get<std::string>(scheme, "transfer"),
+            get<std::string>(scheme, "quadrature")};
+  }
+
+  static Grid<G> make_grid(const List& scene) {
+    const List& grid = scene.sublist("grid");
+    const List& scheme = scene.sublist("scheme");
+    const auto origin = get<std::vector<double>>(grid, "origin");
+    const auto cells = get<std::vector<int>>(grid, "cells");
+    double low[D];
+    int count[D];
+    Boundaries<D> ends;
+    const char* axes[] = {"x", "y", "z"};
+    for (int d = 0; d < D; ++d) {
+      low[d] = origin[d];
+      count[d] = cells[d];
+      ends.side[d][0] = side_of(get<std::string>(scene.sublist("boundaries"), std::string(axes[d]) + " low"));
+      ends.side[d][1] = side_of(get<std::string>(scene.sublist("boundaries"), std::string(axes[d]) + " high"));
+    }
+    ends.mirrors = get<std::string>(scheme, "shape") != "linear";
+    GridNeeds needs;
+    needs.quadrature = get<std::string>(scheme, "quadrature") == "cell";
+    const auto limited = [](const List& q) {
+      return get<std::string>(q, "form") != "none" && get<double>(q, "limiter") > 0;
+    };
+    needs.limiter = limited(scheme.sublist("artificial viscosity"));
+    const List& materials = scene.sublist("materials");
+    for (const auto& name : list_names(materials))
+      if (const List* own = find_list(materials.sublist(name), "artificial viscosity"))
+        needs.limiter = needs.limiter || limited(*own);
+    return Grid<G>(Lattice<D>(low, count, get<double>(grid, "cell size")), ends, needs);
+  }
+
+  static StepScheme make_scheme(const List& scene) {
+    const List& scheme = scene.sublist("scheme");
+    StepScheme s;
+    s.midpoint = get<std::string>(scheme, "integration") == "midpoint";
+    s.split_length = get<double>(scheme, "split length");
+    s.rates = {get<double>(scheme, "volume relaxation"), get<double>(scheme, "pressure relaxation"),
+               get<double>(scheme, "heat conduction")};
+    return s;
+  }
+
+  static void copy(const Group<G>& group, int material, Snapshot& shot) {
+    const Particles<G>& p = group.particles;
+    const std::size_t before = shot.id.size(), count = p.count, all = before + count;
+    const Array<double> pressure("pressure", count), energy("energy", count);
+    group.report(pressure, energy);
+    ParticleTable& t = shot.table;
+    const auto append = [&](std::vector<double>& to, const auto& from) {
+      const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), from);
+      to.resize(all);
+      for (std::size_t k = 0; k < count; ++k) to[before + k] = host(k);
+    };
+    const auto part = [](const Table<double>& column, int k) {
+      return Array<double>(Kokkos::subview(column, Kokkos::ALL, k));
+    };
+    std::vector<double>*x[] = {&t.x, &t.y, &t.z}, *v[] = {&t.vx, &t.vy, &t.vz};
+    for (int d = 0; d < 3; ++d) {
+      x[d]->resize(all);
+      v[d]->resize(all);
+      if (d >= D) continue;
+      append(*x[d], part(p.position, d));
+      append(*v[d], part(p.velocity, d));
+    }
+    append(t.mass, part(p.mass, 0));
+    append(t.volume, part(p.volume, 0));
+    append(t.pressure, pressure);
+    append(t.energy, energy);
+    t.density.resize(all);
+    for (std::size_t k = before; k < all; ++k) t.density[k] = t.mass[k] / t.volume[k];
+    shot.material.resize(all, material);
+    const auto ids = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), p.id);
+    for (std::size_t k = 0; k < count; ++k) shot.id.push_back(ids(k));
+
+    const auto names = group.history_fields();
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      if (names[k].name == "energy") continue;
+      auto field = std::find_if(shot.fields.begin(), shot.fields.end(),
+                                [&](const auto& f) { return f.name == names[k].name; });
+      if (field == shot.fields.end())
+        field = shot.fields.insert(field, {names[k].name, names[k].unit, std::vector<double>(before)});
+      append(field->values, part(p.history, static_cast<int>(k)));
+    }
+    for (auto& field : shot.fields) field.values.resize(all);
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Simulation> make_simulation(const List& scene, const ExactSolution* exact) {
+  if (get<std::string>(scene, "geometry") == "line") return std::make_unique<SimulationIn<Line>>(scene, exact);
+  return std::make_unique<SimulationIn<PlaneStrain>>(scene, exact);
+}
+
+}  // namespace brisance

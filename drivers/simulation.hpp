@@ -1,0 +1,57 @@
+#pragma once
+// A scene set up and ready to step, whatever its geometry.
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/parameters.hpp"
+#include "drivers/exact.hpp"
+#include "drivers/ledger.hpp"
+
+namespace brisance {
+
+/// All particles at one time, copied to the host.
+struct Snapshot {
+  double time = 0;  // [s]
+  ParticleTable table;
+  std::vector<int> material;     ///< number of the material, in the order of the scene
+  std::vector<std::int64_t> id;  ///< unique; children of a split get new ones
+  struct Field {
+    std::string name, unit;
+    std::vector<double> values;
+  };
+  std::vector<Field> fields;  ///< state variables beyond energy; 0 where a material does not have one
+};
+
+/// What a scene takes.
+struct Footprint {
+  struct Part {
+    std::string name;
+    double bytes = 0;  ///< [B]
+  };
+  std::vector<Part> columns;  ///< per particle, mean over the groups
+  double particles = 0, cells = 0;
+  double grid_bytes = 0, sort_bytes = 0;  ///< in all [B]
+};
+
+class Simulation {
+ public:
+  virtual ~Simulation() = default;
+
+  virtual double time() const = 0;           // [s]
+  virtual double dt() const = 0;             // of the last step, or of the first to come [s]
+  virtual long step_count() const = 0;
+  virtual long particle_count() const = 0;
+
+  /// One step, which does not go beyond `end`. Throws std::runtime_error when the state is no longer finite.
+  virtual void advance(double end) = 0;
+
+  virtual Balance balance() const = 0;
+  virtual Snapshot snapshot() const = 0;
+  virtual Footprint footprint() const = 0;
+};
+
+/// Sets up a checked scene. `exact` gives initial states to the bodies that ask for it; may be null.
+std::unique_ptr<Simulation> make_simulation(const List& scene, const ExactSolution* exact);
+
+}  // namespace brisance

@@ -1,0 +1,289 @@
+#include "drivers/vtk.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <numeric>
+#include <stdexcept>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+
+#include "drivers/files.hpp"
+
+namespace brisance::vtk {
+namespace {
+
+template <class T>
+std::string vtk_type() {
+  const std::string kind =
+      std::is_floating_point_v<T> ? "Float" : (std::is_signed_v<T> ? "Int" : "UInt");
+  return kind + std::to_string(8 * sizeof(T));
+}
+
+/// The shortest text that reads back to the same number, whatever the locale.
+std::string text_of(double value) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
+std::string joined(const std::array<double, 3>& values) {
+  return text_of(values[0]) + ' ' + text_of(values[1]) + ' ' + text_of(values[2]);
+}
+
+/// What XML wants written differently inside of quotes.
+constexpr std::pair<char, std::string_view> entities[] = {
+    {'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}};
+
+std::string escaped(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    const auto found = std::find_if(std::begin(entities), std::end(entities),
+                                    [c](const auto& entity) { return entity.first == c; });
+    if (found == std::end(entities)) {
+      result += c;
+    } else {
+      result += found->second;
+    }
+  }
+  return result;
+}
+
+std::string unescaped(std::string_view text) {
+  std::string result;
+  while (!text.empty()) {
+    const auto found =
+        std::find_if(std::begin(entities), std::end(entities), [text](const auto& entity) {
+          return text.substr(0, entity.second.size()) == entity.second;
+        });
+    const bool entity = found != std::end(entities);
+    result += entity ? found->first : text.front();
+    text.remove_prefix(entity ? found->second.size() : 1);
+  }
+  return result;
+}
+
+/// An attribute of an XML element.
+std::string with(const std::string& name, const std::string& value) {
+  return ' ' + name + "=\"" + escaped(value) + '"';
+}
+
+/// The head of every file; sizes of arrays are given in 64 bits.
+std::string opening(const std::string& type) {
+#if __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
+  const std::string order = "LittleEndian";
+#else
+  const std::string order = "BigEndian";
+#endif
+  return "<?xml version='1.0'?>\n<VTKFile" + with("type", type) + with("version", "1.0") +
+         with("byte_order", order) + with("header_type", "UInt64") + ">\n";
+}
+
+/// The XML header of a file and, in step with it, the arrays that are appended to it.
+class Document {
+ public:
+  explicit Document(const std::string& type) : header_(opening(type)) {}
+
+  void line(const std::string& text) { header_ += text + '\n'; }
+
+  void array(const Column& column) {
+    line("<DataArray" + with("type", column.type()) + with("Name", column.name()) +
+         with("NumberOfComponents", std::to_string(column.components())) +
+         with("format", "appended") + with("offset", std::to_string(offset_)) + "/>");
+    arrays_.push_back(&column);
+    offset_ += sizeof(std::uint64_t) + column.bytes().size();
+  }
+
+  /// PointData or CellData; the first number and the first vector are what a viewer colours and
+  /// draws arrows by.
+  void columns(const std::string& element, const std::vector<Column>& columns, std::size_t rows) {
+    const auto first = [&](const std::string& role, int components) {
+      const auto found = std::find_if(columns.begin(), columns.end(), [=](const Column& column) {
+        return column.components() == components;
+      });
+      return found == columns.end() ? "" : with(role, found->name());
+    };
+    line('<' + element + first("Scalars", 1) + first("Vectors", 3) + '>');
+    for (const auto& column : columns) {
+      if (column.rows() != rows) {
+        throw std::invalid_argument("column '" + column.name() + "' has " +
+                                    std::to_string(column.rows()) + " rows instead of " +
+                                    std::to_string(rows));
+      }
+      array(column);
+    }
+    line("</" + element + '>');
+  }
+
+  void write(const std::filesystem::path& path) {
+    AtomicFile file(path);
+    file.write(header_ + "<AppendedData" + with("encoding", "raw") + ">\n_");
+    for (const auto* array : arrays_) {
+      const std::uint64_t size = array->bytes().size();
+      file.write(&size, sizeof size);
+      file.write(array->bytes().data(), size);
+    }
+    file.write("\n</AppendedData>\n</VTKFile>\n");
+    file.commit();
+  }
+
+ private:
+  std::string header_;
+  std::vector<const Column*> arrays_;
+  std::uint64_t offset_ = 0;
+};
+
+/// The value of one attribute of an XML element; throws if it has none of that name.
+std::string attribute(std::string_view element, const std::string& name) {
+  const std::string key = ' ' + name + "=\"";
+  const auto at = element.find(key);
+  if (at == std::string_view::npos) throw std::runtime_error("has an entry without " + name);
+  element.remove_prefix(at + key.size());
+  return unescaped(element.substr(0, element.find('"')));
+}
+
+std::vector<Series::Entry> entries_in(std::string_view text) {
+  if (text.find("<VTKFile" + with("type", "Collection")) == std::string_view::npos ||
+      text.find("</VTKFile>") == std::string_view::npos) {
+    throw std::runtime_error("is no time series or is cut off");
+  }
+  std::vector<Series::Entry> entries;
+  for (auto at = text.find("<DataSet "); at != std::string_view::npos;
+       at = text.find("<DataSet ", at + 1)) {
+    const auto element = text.substr(at, text.find('>', at) - at);
+    const auto time = attribute(element, "timestep");
+    Series::Entry entry{0, attribute(element, "file")};
+    const auto read = std::from_chars(time.data(), time.data() + time.size(), entry.time);
+    if (read.ec != std::errc() || read.ptr != time.data() + time.size()) {
+      throw std::runtime_error("has the time '" + time + "'");
+    }
+    entries.push_back(std::move(entry));
+  }
+  return entries;
+}
+
+}  // namespace
+
+template <class T>
+Column::Column(std::string name, int components, const std::vector<T>& data)
+    : name_(std::move(name)), type_(vtk_type<T>()), components_(components) {
+  if (components < 1 || data.size() % static_cast<std::size_t>(components) != 0) {
+    throw std::invalid_argument("column '" + name_ + "' has " + std::to_string(data.size()) +
+                                " numbers for rows of " + std::to_string(components));
+  }
+  rows_ = data.size() / static_cast<std::size_t>(components);
+  bytes_.resize(data.size() * sizeof(T));
+  if (!data.empty()) std::memcpy(bytes_.data(), data.data(), bytes_.size());
+}
+
+template Column::Column(std::string, int, const std::vector<double>&);
+template Column::Column(std::string, int, const std::vector<float>&);
+template Column::Column(std::string, int, const std::vector<std::int64_t>&);
+template Column::Column(std::string, int, const std::vector<std::int32_t>&);
+template Column::Column(std::string, int, const std::vector<std::uint8_t>&);
+
+Column vectors(const std::string& name, int components, const std::vector<double>& data) {
+  if (components < 1 || components > 3 || data.size() % components != 0) {
+    throw std::invalid_argument("column '" + name + "' has " + std::to_string(data.size()) +
+                                " numbers for vectors of " + std::to_string(components));
+  }
+  const std::size_t rows = data.size() / components;
+  std::vector<double> padded(3 * rows, 0.0);
+  for (std::size_t row = 0; row < rows; ++row) {
+    std::copy_n(&data[row * components], components, &padded[3 * row]);
+  }
+  return {name, 3, padded};
+}
+
+void write_vtp(const std::filesystem::path& path, const std::vector<double>& points,
+               const std::vector<Column>& columns) {
+  const Column places("Points", 3, points);
+  const std::size_t count = places.rows();
+  std::vector<std::int64_t> indices(count);
+  std::iota(indices.begin(), indices.end(), 0);
+  const Column connectivity("connectivity", indices);
+  std::iota(indices.begin(), indices.end(), 1);
+  const Column offsets("offsets", indices);
+
+  const auto n = std::to_string(count);
+  Document document("PolyData");
+  document.line("<PolyData>");
+  document.line("<Piece" + with("NumberOfPoints", n) + with("NumberOfVerts", n) +
+                with("NumberOfLines", "0") + with("NumberOfStrips", "0") +
+                with("NumberOfPolys", "0") + ">");
+  document.columns("PointData", columns, count);
+  document.line("<Points>");
+  document.array(places);
+  document.line("</Points>\n<Verts>");
+  document.array(connectivity);
+  document.array(offsets);
+  document.line("</Verts>\n</Piece>\n</PolyData>");
+  document.write(path);
+}
+
+std::size_t Box::count_points() const {
+  return std::accumulate(cells.begin(), cells.end(), std::size_t{1},
+                         [](std::size_t n, int along) { return n * (along + 1); });
+}
+
+std::size_t Box::count_cells() const {
+  return std::accumulate(cells.begin(), cells.end(), std::size_t{1},
+                         [](std::size_t n, int along) { return n * std::max(along, 1); });
+}
+
+void write_vti(const std::filesystem::path& path, const Box& box,
+               const std::vector<Column>& point_columns, const std::vector<Column>& cell_columns) {
+  std::string extent;
+  for (const int cells : box.cells)
+    extent += (extent.empty() ? "0 " : " 0 ") + std::to_string(cells);
+  Document document("ImageData");
+  document.line("<ImageData" + with("WholeExtent", extent) + with("Origin", joined(box.origin)) +
+                with("Spacing", joined(box.spacing)) + ">");
+  document.line("<Piece" + with("Extent", extent) + ">");
+  document.columns("PointData", point_columns, box.count_points());
+  document.columns("CellData", cell_columns, box.count_cells());
+  document.line("</Piece>\n</ImageData>");
+  document.write(path);
+}
+
+Series Series::resumed(std::filesystem::path path, double time) {
+  Series series(std::move(path));
+  if (!std::filesystem::exists(series.path_)) return series;
+  const auto text = read_file(series.path_);
+  try {
+    series.entries_ = entries_in(text);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error("'" + series.path_.string() + "' " + error.what());
+  }
+  const auto past = [time](const Entry& entry) { return !(entry.time < time); };
+  series.entries_.erase(std::remove_if(series.entries_.begin(), series.entries_.end(), past),
+                        series.entries_.end());
+  return series;
+}
+
+void Series::add(double time, const std::filesystem::path& file) {
+  const auto folder = std::filesystem::absolute(path_).lexically_normal().parent_path();
+  const auto name = std::filesystem::absolute(file)
+                        .lexically_normal()
+                        .lexically_relative(folder)
+                        .generic_string();
+  if (name.empty() || name == "." || name.rfind("..", 0) == 0) {
+    throw std::invalid_argument("'" + file.string() + "' lies outside of the folder of the series");
+  }
+  if (!std::isfinite(time) || (!entries_.empty() && time < entries_.back().time)) {
+    throw std::invalid_argument("the series '" + path_.string() + "' cannot go on with the time " +
+                                text_of(time));
+  }
+  if (!entries_.empty() && entries_.back().time == time) entries_.pop_back();
+  entries_.push_back({time, name});
+
+  std::string text = opening("Collection") + "<Collection>\n";
+  for (const auto& entry : entries_) {
+    text += "<DataSet" + with("timestep", text_of(entry.time)) + with("group", "") +
+            with("part", "0") + with("file", entry.file) + "/>\n";
+  }
+  write_file(path_, text + "</Collection>\n</VTKFile>\n");
+}
+
+}  // namespace brisance::vtk

@@ -1,0 +1,90 @@
+#pragma once
+// Particles and grids in the XML formats of VTK, as ParaView opens them: data appended raw behind
+// the XML header, 64-bit sizes. Host code on the standard library alone. Every file is written by
+// temporary file and rename.
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace brisance::vtk {
+
+/// One named array of a file: the numbers of all rows, row after row. A plain vector of double,
+/// float, int64, int32 or uint8 converts into it; the numbers are kept as the bytes that go into
+/// the file.
+class Column {
+ public:
+  /// Throws std::invalid_argument if the numbers do not fill rows of that many components.
+  template <class T>
+  Column(std::string name, int components, const std::vector<T>& data);
+  template <class T>
+  Column(std::string name, const std::vector<T>& data) : Column(std::move(name), 1, data) {}
+
+  const std::string& name() const { return name_; }
+  const std::string& type() const { return type_; }  // as VTK calls it: Float64
+  int components() const { return components_; }
+  std::size_t rows() const { return rows_; }
+  const std::vector<char>& bytes() const { return bytes_; }
+
+ private:
+  std::string name_, type_;
+  int components_;
+  std::size_t rows_ = 0;
+  std::vector<char> bytes_;
+};
+
+/// A vector column of 3 components from data of fewer: 0 is put in for the directions that are
+/// missing.
+Column vectors(const std::string& name, int components, const std::vector<double>& data);
+
+/// Particles: PolyData of one vertex per point. `points` holds x, y, z of each [m]; every column
+/// one row per point. No points at all is a valid file. Throws std::invalid_argument for columns of
+/// another length.
+void write_vtp(const std::filesystem::path& path, const std::vector<double>& points,
+               const std::vector<Column>& columns);
+
+/// A box of equal cells; 0 cells along a direction make it flat there, as a 1-D or 2-D grid is.
+struct Box {
+  std::array<double, 3> origin{};          // low corner [m]
+  std::array<double, 3> spacing{1, 1, 1};  // cell size [m]
+  std::array<int, 3> cells{1, 1, 1};
+
+  std::size_t count_points() const;
+  std::size_t count_cells() const;
+};
+
+/// A grid: ImageData with values at the nodes and in the cells, x fastest.
+void write_vti(const std::filesystem::path& path, const Box& box,
+               const std::vector<Column>& point_columns, const std::vector<Column>& cell_columns);
+
+/// The `.pvd` file that gives a time to each file of a series. It is rewritten at each addition, so
+/// that a run that is stopped leaves a readable series.
+class Series {
+ public:
+  struct Entry {
+    double time;
+    std::string file;  // relative to the folder of the .pvd
+  };
+
+  /// A new series; nothing is written before the first addition.
+  explicit Series(std::filesystem::path path) : path_(std::move(path)) {}
+
+  /// Goes on with the series that a run left behind, without its entries at or after `time` [s]; if
+  /// there is no file, a new one. Throws std::runtime_error if the file is no series of ours.
+  static Series resumed(std::filesystem::path path, double time);
+
+  /// Adds a file that lies in or below the folder of the .pvd. Throws std::invalid_argument for
+  /// times out of order.
+  void add(double time, const std::filesystem::path& file);
+
+  const std::vector<Entry>& entries() const { return entries_; }
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+  std::vector<Entry> entries_;
+};
+
+}  // namespace brisance::vtk

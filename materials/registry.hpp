@@ -1,0 +1,30 @@
+#pragma once
+// Which materials there are. To add a fluid, write its equation of state (see perfect_gas) and add it to Fluids.
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/group.hpp"
+#include "core/parameters.hpp"
+#include "materials/perfect_gas.hpp"
+
+namespace brisance {
+
+template <class... T>
+struct TypeList {};
+
+using Fluids = TypeList<PerfectGas>;
+
+/// The names of the laws, for "law".
+std::vector<std::string> law_names();
+
+/// The schema of one material, from what was given: its law, and the optional lists "viscosity" and
+/// "artificial viscosity". `shock` is the schema of the latter, with the defaults of the scheme.
+List valid_material(const List& given, const List& shock);
+
+/// An empty group of the material of a checked list; `shock` is what the scheme sets for materials without a list of
+/// their own.
+template <class G>
+std::unique_ptr<Group<G>> make_group(const List& checked, const List& shock);
+
+}  // namespace brisance

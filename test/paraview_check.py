@@ -1,0 +1,50 @@
+"""Tells what ParaView makes of the series particles.pvd and grid.pvd of a folder, and takes a picture of each.
+
+xvfb-run -a pvbatch paraview_check.py DIR
+"""
+import os
+import sys
+
+from paraview.simple import (
+    ColorBy, CreateView, Delete, GetAnimationScene, OpenDataFile, SaveScreenshot, Show,
+)
+
+
+def ranges(kind, information):
+    for k in range(information.GetNumberOfArrays()):
+        array = information.GetArray(k)
+        limits = [limit for c in range(array.GetNumberOfComponents()) for limit in array.GetRange(c)]
+        print(" ", kind, array.GetName(), *limits)
+
+
+def describe(folder, name):
+    source = OpenDataFile(os.path.join(folder, name))
+    if source is None:
+        sys.exit(f"ParaView cannot open {name}")
+    for time in source.TimestepValues:
+        source.UpdatePipeline(time)
+        data = source.GetDataInformation()
+        print(name, "time", time, "points", data.GetNumberOfPoints(), "cells", data.GetNumberOfCells())
+        if data.GetNumberOfPoints() > 0:
+            print("  bounds", *data.GetBounds())
+            ranges("point", source.PointData)
+            ranges("cell", source.CellData)
+    view = CreateView("RenderView")
+    view.ViewSize = [600, 400]
+    GetAnimationScene().UpdateAnimationUsingDataTimeSteps()
+    GetAnimationScene().GoToLast()
+    shown = Show(source, view)
+    if name.startswith("particles"):
+        shown.Representation = "Points"
+        shown.PointSize = 12
+        ColorBy(shown, ("POINTS", "density"))
+    else:
+        shown.Representation = "Surface With Edges"
+        ColorBy(shown, ("CELLS", "density"))
+    view.ResetCamera()
+    SaveScreenshot(os.path.join(folder, name.replace(".pvd", ".png")), view)
+    Delete(source)
+
+
+for series in ("particles.pvd", "grid.pvd"):
+    describe(sys.argv[1], series)
