@@ -84,7 +84,8 @@ Vec<D> fold(const Table<double>& sums, int vectors, int columns, const Lattice<D
 }
 
 template <int D>
-Vec<D> constrain(const Table<double>& sums, const Lattice<D>& lattice, const Boundaries<D>& boundaries) {
+Vec<D> constrain(const Table<double>& sums, const Lattice<D>& lattice,
+                 const Boundaries<D>& boundaries) {
   Vec<D> stopped;
   for (int d = 0; d < D; ++d)
     for (int end = 0; end < 2; ++end) {
@@ -140,7 +141,8 @@ void fill_cells(const Table<double>& field, int columns, int column, double beyo
       const int halo = end == 0 ? -1 : n;
       const int real = (end == 0) == periodic ? n - 1 : 0;
       Kokkos::parallel_for(
-          "fill halo cells", Kokkos::RangePolicy<Space>(0, plane.nodes), KOKKOS_LAMBDA(const int k) {
+          "fill halo cells", Kokkos::RangePolicy<Space>(0, plane.nodes),
+          KOKKOS_LAMBDA(const int k) {
             for (int c = 0; c < columns; ++c)
               field(plane.node(k, halo), c) =
                   open && c == column ? beyond_free : field(plane.node(k, real), c);
@@ -149,11 +151,12 @@ void fill_cells(const Table<double>& field, int columns, int column, double beyo
   }
 }
 
-#define BRISANCE_BOUNDARY(D)                                                                         \
-  template Vec<D> fold<D>(const Table<double>&, int, int, const Lattice<D>&, const Boundaries<D>&);  \
-  template Vec<D> constrain<D>(const Table<double>&, const Lattice<D>&, const Boundaries<D>&);       \
-  template void fill<D>(const Table<double>&, int, int, const Lattice<D>&, const Boundaries<D>&);    \
-  template void fill_cells<D>(const Table<double>&, int, int, double, const Lattice<D>&,             \
+#define BRISANCE_BOUNDARY(D)                                                                      \
+  template Vec<D> fold<D>(const Table<double>&, int, int, const Lattice<D>&,                      \
+                          const Boundaries<D>&);                                                  \
+  template Vec<D> constrain<D>(const Table<double>&, const Lattice<D>&, const Boundaries<D>&);    \
+  template void fill<D>(const Table<double>&, int, int, const Lattice<D>&, const Boundaries<D>&); \
+  template void fill_cells<D>(const Table<double>&, int, int, double, const Lattice<D>&,          \
                               const Boundaries<D>&);
 BRISANCE_BOUNDARY(1)
 BRISANCE_BOUNDARY(2)

@@ -1,7 +1,8 @@
 #pragma once
-// What happens at the ends of the domain. A spline that reaches over an end writes into the halo; `fold` brings
-// that back as a mirror image (wall, fixed) or to the other end (periodic), `constrain` and `fill` set the halo so
-// that kernels read nodes without asking where they are. A free end has neither mirror nor constraint.
+// What happens at the ends of the domain. A spline that reaches over an end writes into the halo;
+// `fold` brings that back as a mirror image (wall, fixed) or to the other end (periodic),
+// `constrain` and `fill` set the halo so that kernels read nodes without asking where they are. A
+// free end has neither mirror nor constraint.
 #include "core/lattice.hpp"
 
 namespace brisance {
@@ -18,9 +19,11 @@ struct Boundaries {
   Side side[D][2] = {};
   bool mirrors = true;  ///< false when every shape is linear: then nothing reaches over a wall
 
-  /// Where a particle that has moved to x along direction d ends up: inside a wall, wrapped, or out of a free end.
+  /// Where a particle that has moved to x along direction d ends up: inside a wall, wrapped, or out
+  /// of a free end.
   KOKKOS_INLINE_FUNCTION double settle(const Lattice<D>& lattice, int d, double x) const {
-    const double low = lattice.origin[d], length = lattice.cells[d] * lattice.h, skin = 1e-9 * lattice.h;
+    const double low = lattice.origin[d], length = lattice.cells[d] * lattice.h,
+                 skin = 1e-9 * lattice.h;
     if (side[d][0] == Side::periodic) {
       if (x < low) x += length;
       return x < low + length ? x : x - length;
@@ -44,23 +47,27 @@ struct Boundaries {
   }
 };
 
-/// Adds what the halo has received to the nodes it stands for. The first `vectors` columns are components of a
-/// vector, those up to `columns` scalars. Returns the momentum that mirror images have swallowed.
+/// Adds what the halo has received to the nodes it stands for. The first `vectors` columns are
+/// components of a vector, those up to `columns` scalars. Returns the momentum that mirror images
+/// have swallowed.
 template <int D>
 Vec<D> fold(const Table<double>& sums, int vectors, int columns, const Lattice<D>& lattice,
             const Boundaries<D>& boundaries);
 
-/// Zeroes the constrained components of a nodal momentum or force (columns 0 .. D-1) and returns their sum.
+/// Zeroes the constrained components of a nodal momentum or force (columns 0 .. D-1) and returns
+/// their sum.
 template <int D>
-Vec<D> constrain(const Table<double>& sums, const Lattice<D>& lattice, const Boundaries<D>& boundaries);
+Vec<D> constrain(const Table<double>& sums, const Lattice<D>& lattice,
+                 const Boundaries<D>& boundaries);
 
-/// Sets the halo of a nodal field from the nodes it stands for; vectors change sign as mirror images do.
+/// Sets the halo of a nodal field from the nodes it stands for; vectors change sign as mirror
+/// images do.
 template <int D>
 void fill(const Table<double>& field, int vectors, int columns, const Lattice<D>& lattice,
           const Boundaries<D>& boundaries);
 
-/// Sets the halo of a field of cells: copies of the nearest cell, or of the other end where periodic.
-/// Beyond a free end `beyond_free` is put into column `column`, others are copied.
+/// Sets the halo of a field of cells: copies of the nearest cell, or of the other end where
+/// periodic. Beyond a free end `beyond_free` is put into column `column`, others are copied.
 template <int D>
 void fill_cells(const Table<double>& field, int columns, int column, double beyond_free,
                 const Lattice<D>& lattice, const Boundaries<D>& boundaries);

@@ -9,7 +9,8 @@ void average_cells(const Grid<G>& grid, const Accumulator& sums) {
   constexpr int D = G::dim;
   const auto cell = grid.cell, total = sums.total;
   Kokkos::parallel_for(
-      "average cells", Kokkos::RangePolicy<Space>(0, grid.lattice.size), KOKKOS_LAMBDA(const int c) {
+      "average cells", Kokkos::RangePolicy<Space>(0, grid.lattice.size),
+      KOKKOS_LAMBDA(const int c) {
         const double volume = total(c, D);
         for (int d = 0; d < D; ++d) cell(c, d) = volume > 0 ? total(c, d) / volume : 0;
         cell(c, D) = volume;
@@ -36,7 +37,7 @@ void scale_cells(const Grid<G>& grid) {
           for (int d = 0; d < D; ++d) neighbour += (k / power(3, d) % 3 - 1) * lattice.stride[d];
           if (!(cell(neighbour, D) > 0)) return;
         }
-        scale(c, 0) = full_volume / cell(c, D);
+        scale(c, 0) = clamp(full_volume / cell(c, D), 0.5, 2);
       });
 }
 
@@ -66,9 +67,9 @@ void limit_cells(const Grid<G>& grid) {
       });
 }
 
-#define BRISANCE_CELLS(G)                                                    \
-  template void average_cells<G>(const Grid<G>&, const Accumulator&);        \
-  template void scale_cells<G>(const Grid<G>&);                              \
+#define BRISANCE_CELLS(G)                                             \
+  template void average_cells<G>(const Grid<G>&, const Accumulator&); \
+  template void scale_cells<G>(const Grid<G>&);                       \
   template void limit_cells<G>(const Grid<G>&);
 BRISANCE_CELLS(Line)
 BRISANCE_CELLS(PlaneStrain)

@@ -8,13 +8,14 @@ namespace brisance {
 template <class G>
 void average_cells(const Grid<G>& grid, const Accumulator& sums);
 
-/// grid.scale <- what fills a cell whose neighbours all hold particles: h^D / V; elsewhere 1.
+/// grid.scale <- what fills a cell whose neighbours all hold particles: h^D / V, at most doubled or
+/// halved; elsewhere 1.
 template <class G>
 void scale_cells(const Grid<G>& grid);
 
-/// grid.smoothness <- 1 where the strain rates of a cell vary linearly to its neighbours, 0 in a shock.
-/// Along each direction psi = max(0, min((r- + r+)/2, 2 r-, 2 r+, 1)), r the neighbours' rates over the cell's; the
-/// directions count by the size of their rates. (Christensen 1990)
+/// grid.smoothness <- 1 where the strain rates of a cell vary linearly to its neighbours, 0 in a
+/// shock. Along each direction psi = max(0, min((r- + r+)/2, 2 r-, 2 r+, 1)), r the neighbours'
+/// rates over the cell's; the directions count by the size of their rates. (Christensen 1990)
 template <class G>
 void limit_cells(const Grid<G>& grid);
 

@@ -1,6 +1,6 @@
 #pragma once
-// The geometry policies: how many directions the grid resolves, and what a point's velocity gradient means in
-// the three dimensions in which every material law works.
+// The geometry policies: how many directions the grid resolves, and what a point's velocity
+// gradient means in the three dimensions in which every material law works.
 #include "core/types.hpp"
 
 namespace brisance {
@@ -17,13 +17,13 @@ struct PlaneStrain {
   static constexpr int dim = 2;
 };
 
-/// The rate of deformation sym(L) in three dimensions; directions that the grid does not resolve do not strain. [1/s]
+/// The rate of deformation sym(L) in three dimensions; directions that the grid does not resolve do
+/// not strain. [1/s]
 template <class G>
 KOKKOS_INLINE_FUNCTION Sym3 strain_rate(const Mat<G::dim>& gradient) {
   Sym3 rate;
   for (int i = 0; i < G::dim; ++i)
-    for (int j = i; j < G::dim; ++j)
-      rate[Sym3::at(i, j)] = 0.5 * (gradient(i, j) + gradient(j, i));
+    for (int j = i; j < G::dim; ++j) rate[Sym3::at(i, j)] = 0.5 * (gradient(i, j) + gradient(j, i));
   return rate;
 }
 

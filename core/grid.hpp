@@ -7,9 +7,9 @@
 
 namespace brisance {
 
-/// Collects what particles scatter: every thread (or atomics, where the backend prefers them) adds through
-/// `scatter.access()`, `contribute` puts the sum into `total`. Made once; making one in every step costs more
-/// than using it.
+/// Collects what particles scatter: every thread (or atomics, where the backend prefers them) adds
+/// through `scatter.access()`, `contribute` puts the sum into `total`. Made once; making one in
+/// every step costs more than using it.
 class Accumulator {
  public:
   using Scatter = Kokkos::Experimental::ScatterView<double**, Kokkos::LayoutLeft, Space>;
@@ -32,9 +32,9 @@ class Accumulator {
 
 /// Which optional fields a scheme needs.
 struct GridNeeds {
-  int classes = 1;         ///< velocity fields: one for each class of materials that share nodes
-  bool quadrature = false; ///< cell quadrature: volume scale of each cell
-  bool limiter = false;    ///< limited viscosity: smoothness of the flow in each cell
+  int classes = 1;          ///< velocity fields: one for each class of materials that share nodes
+  bool quadrature = false;  ///< cell quadrature: volume scale of each cell
+  bool limiter = false;     ///< limited viscosity: smoothness of the flow in each cell
 };
 
 template <class G>
@@ -47,9 +47,10 @@ struct Grid {
   Table<double> before;            ///< velocity at the start of the step [m/s]; column D: mass [kg]
   Table<double> after;             ///< velocity at its end [m/s]
   std::vector<Table<double>> own;  ///< like `before`, of one class each; one class: the same table
-  Table<double> cell;              ///< mean strain rate along each direction [1/s]; column D: filled volume [m^D]
-  Table<double> scale;             ///< by what the volumes in a cell are scaled to fill it [-]
-  Table<double> smoothness;        ///< 1 where the flow is smooth, 0 in a shock [-]
+  Table<double>
+      cell;  ///< mean strain rate along each direction [1/s]; column D: filled volume [m^D]
+  Table<double> scale;       ///< by what the volumes in a cell are scaled to fill it [-]
+  Table<double> smoothness;  ///< 1 where the flow is smooth, 0 in a shock [-]
 
   Grid() = default;
   Grid(const Lattice<D>& lattice_, const Boundaries<D>& boundaries_, const GridNeeds& needs)
@@ -60,7 +61,8 @@ struct Grid {
     if (needs.classes == 1)
       own.push_back(before);
     else
-      for (int c = 0; c < needs.classes; ++c) own.emplace_back("class velocity", lattice.size, D + 1);
+      for (int c = 0; c < needs.classes; ++c)
+        own.emplace_back("class velocity", lattice.size, D + 1);
     if (needs.quadrature || needs.limiter) cell = Table<double>("cell", lattice.size, D + 1);
     if (needs.quadrature) scale = Table<double>("scale", lattice.size, 1);
     if (needs.limiter) smoothness = Table<double>("smoothness", lattice.size, 1);
@@ -68,7 +70,8 @@ struct Grid {
 
   /// Memory of all fields. [B]
   std::size_t bytes() const {
-    std::size_t doubles = before.span() + after.span() + cell.span() + scale.span() + smoothness.span();
+    std::size_t doubles =
+        before.span() + after.span() + cell.span() + scale.span() + smoothness.span();
     if (own.size() > 1)
       for (const auto& field : own) doubles += field.span();
     return doubles * sizeof(double);

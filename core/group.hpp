@@ -1,6 +1,6 @@
 #pragma once
-// The host-side face of the particles of one material. One virtual call per group and stage; inside, the law is
-// inlined (materials/group_impl.hpp).
+// The host-side face of the particles of one material. One virtual call per group and stage;
+// inside, the law is inlined (materials/group_impl.hpp).
 #include <memory>
 #include <string>
 #include <vector>
@@ -31,16 +31,23 @@ struct Totals {
 
 /// How a material's steps are done, from the scheme of the scene.
 struct GroupScheme {
-  bool midpoint = true;      ///< compatible energy with half-step stress; else MUSL
-  bool printed_work = false; ///< MUSL: the work divided by the new density, as printed in (A.19), (A.22)
-  double flip = 1;           ///< share of FLIP in the velocity update
-  double strain_length = 0;  ///< rate of volume change times this counts as a signal speed; limits it in a step [m]
+  bool midpoint = true;  ///< compatible energy with half-step stress; else MUSL
+  bool printed_work =
+      false;  ///< MUSL: the work divided by the new density, as printed in (A.19), (A.22)
+  double strain_length =
+      0;  ///< rate of volume change times this counts as a signal; limits it in a step [m]
+};
+
+/// How fast news travels, for the time step. [m/s]
+struct Signals {
+  double fastest = 0;    ///< over the grid, with the velocity of the material
+  double in_matter = 0;  ///< relative to the material
 };
 
 template <class G>
 class Group {
  public:
-  std::string label;      ///< the material's name in the scene
+  std::string label;  ///< the material's name in the scene
   int velocity_class = 0;
   GroupScheme scheme;
   Particles<G> particles;
@@ -52,20 +59,23 @@ class Group {
   virtual bool fluid() const = 0;
   virtual std::vector<FieldName> history_fields() const = 0;
 
-  /// Makes room for the particles and their columns; what the scheme of the whole step asks for comes in `needs`.
+  /// Makes room for the particles and their columns; what the scheme of the whole step asks for
+  /// comes in `needs`.
   virtual void allocate(int capacity, ColumnNeeds needs) = 0;
-  /// State variables of fresh particles from begin on, whose stress column holds a pressure [Pa], or a specific
-  /// energy [J/kg].
+  /// State variables of fresh particles from begin on, whose stress column holds a pressure [Pa],
+  /// or a specific energy [J/kg].
   virtual void initialise(int begin, bool from_energy) = 0;
-  /// The stress that belongs to density and state variables, before the first step. Returns the signal speed. [m/s]
-  virtual double start(const Grid<G>& grid) = 0;
+  /// The stress that belongs to density and state variables, before the first step.
+  virtual void start() = 0;
 
+  /// From the gradients, on a grid of cell size h [m].
+  virtual Signals signals(double h) const = 0;
   /// Stress <- the stress half a step on, with the gradient at the start of the step.
   virtual void half_step(const Grid<G>& grid, double dt) = 0;
-  /// State at the end of the step from gradient and work (midpoint). Returns the fastest signal speed. [m/s]
-  virtual double finish(const Grid<G>& grid, double dt) = 0;
-  /// State at the end of the step from the gradient alone (MUSL). Returns the fastest signal speed. [m/s]
-  virtual double update(const Grid<G>& grid, double dt) = 0;
+  /// State at the end of the step from gradient and work (midpoint).
+  virtual void finish(double dt) = 0;
+  /// State at the end of the step from the gradient alone (MUSL).
+  virtual void update(const Grid<G>& grid, double dt) = 0;
 
   /// Fluids, for core/relaxation: see there what the two scratch columns hold.
   virtual void correct_volume(double rate) = 0;

@@ -1,6 +1,7 @@
 #pragma once
-// The background lattice of square cells and its only index function. Nodes, cells (named by their lowest node)
-// and bins of particles (named by the first node their shape touches) share one numbering, with one layer of halo.
+// The background lattice of square cells and its only index function. Nodes, cells (named by their
+// lowest node) and bins of particles (named by the first node their shape touches) share one
+// numbering, with one layer of halo.
 #include "core/types.hpp"
 
 namespace brisance {

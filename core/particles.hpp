@@ -1,6 +1,7 @@
 #pragma once
-// What every particle has, and the only place that knows how it lies in memory: columns sorted by bin, one value
-// after the other. Kernels capture it by value and reach particles through its accessors.
+// What every particle has, and the only place that knows how it lies in memory: columns sorted by
+// bin, one value after the other. Kernels capture it by value and reach particles through its
+// accessors.
 #include <string>
 
 #include "core/lattice.hpp"
@@ -13,11 +14,12 @@ enum class Stress { pressure, tensor };
 /// Which optional columns the scheme needs; what it does not need takes no memory.
 struct ColumnNeeds {
   Stress stress = Stress::pressure;
-  int history = 0;         ///< state variables of the material
-  bool affine = false;     ///< APIC: the affine velocity field of each particle
-  bool work = false;       ///< midpoint: specific energy received in a step
-  bool relaxation = false; ///< relaxations: residuals and exchanges
-  bool extent = false;     ///< edges of each particle, where the scheme asks for them in more than one direction
+  int history = 0;          ///< state variables of the material
+  bool affine = false;      ///< APIC: the affine velocity field of each particle
+  bool work = false;        ///< midpoint: specific energy received in a step
+  bool relaxation = false;  ///< relaxations: residuals and exchanges
+  bool extent =
+      false;  ///< edges of each particle, where the scheme asks for them in more than one direction
 };
 
 template <class G>
@@ -25,7 +27,8 @@ struct Particles {
   static constexpr int D = G::dim;
 
   int count = 0;
-  Table<double> position, velocity, gradient, mass, volume, stress, history, affine, work, scratch, extent;
+  Table<double> position, velocity, gradient, mass, volume, stress, history, affine, work, scratch,
+      extent;
   Array<std::int64_t> id;
   Array<int> first;  ///< bin b holds the particles first(b) .. first(b + 1)
 
@@ -37,9 +40,10 @@ struct Particles {
   /// Room for at least `needed` particles, columns kept.
   void reserve(int needed);
 
-  /// Calls f(name, column, carried) for each allocated column of doubles; `carried` columns hold state, the others
-  /// nothing that outlives a kernel. Sorting, splitting, output, restart and migration are written over this, so
-  /// that nobody lists the columns twice. `f` may replace the column.
+  /// Calls f(name, column, carried) for each allocated column of doubles; `carried` columns hold
+  /// state, the others nothing that outlives a kernel. Sorting, splitting, output, restart and
+  /// migration are written over this, so that nobody lists the columns twice. `f` may replace the
+  /// column.
   template <class F>
   void each_column(F&& f) {
     f("position", position, true);
@@ -62,7 +66,8 @@ struct Particles {
     return value;
   }
   template <int N>
-  KOKKOS_INLINE_FUNCTION static void store(const Table<double>& column, int p, const Vec<N>& value) {
+  KOKKOS_INLINE_FUNCTION static void store(const Table<double>& column, int p,
+                                           const Vec<N>& value) {
     for (int k = 0; k < N; ++k) column(p, k) = value[k];
   }
 
@@ -76,7 +81,8 @@ struct Particles {
     for (int k = 0; k < D * D; ++k) value.a[k] = column(p, k);
     return value;
   }
-  KOKKOS_INLINE_FUNCTION void set_matrix(const Table<double>& column, int p, const Mat<D>& value) const {
+  KOKKOS_INLINE_FUNCTION void set_matrix(const Table<double>& column, int p,
+                                         const Mat<D>& value) const {
     for (int k = 0; k < D * D; ++k) column(p, k) = value.a[k];
   }
 
@@ -98,7 +104,8 @@ struct Particles {
       for (int k = 0; k < 6; ++k) stress(p, k) = s[k];
   }
 
-  /// Half the edge along d of the box that the particle fills: its extents, brought to its volume. [m]
+  /// Half the edge along d of the box that the particle fills: its extents, brought to its volume.
+  /// [m]
   KOKKOS_INLINE_FUNCTION double half_size(int p, int d) const {
     if constexpr (D == 1) return 0.5 * vol(p);
     if (extent.extent(1) == 0) return 0.5 * root(vol(p));
@@ -107,10 +114,16 @@ struct Particles {
     return 0.5 * extent(p, d) * root(vol(p) / box);
   }
 
-  /// Stretches the extents with a step's strain, if they are kept.
+  /// Stretches the extents with a step's strain, if they are kept; none gets longer than four times
+  /// another.
   KOKKOS_INLINE_FUNCTION void stretch(int p, const Mat<D>& gradient_, double dt) const {
     if (extent.extent(1) == 0) return;
-    for (int d = 0; d < D; ++d) extent(p, d) *= most(1 + gradient_(d, d) * dt, 0.1);
+    double longest = 0;
+    for (int d = 0; d < D; ++d) {
+      extent(p, d) *= most(1 + gradient_(d, d) * dt, 0.1);
+      longest = most(longest, extent(p, d));
+    }
+    for (int d = 0; d < D; ++d) extent(p, d) = most(extent(p, d), 0.25 * longest);
   }
 
   KOKKOS_INLINE_FUNCTION static double root(double v) { return D == 2 ? sqrt(v) : pow(v, 1. / D); }

@@ -42,8 +42,8 @@ class Relaxation {
   /// scratch(column) <- keep * scratch(column) + factor * nodal field gathered.
   void gather(int field, int column, double keep, double factor) {
     for_fluids([&](Group<G>& g) {
-      g.transfer->gather_scalar(g.particles, grid.lattice, sums.total, field, Entry{g.particles.scratch, column},
-                                keep, factor);
+      g.transfer->gather_scalar(g.particles, grid.lattice, sums.total, field,
+                                Entry{g.particles.scratch, column}, keep, factor);
     });
   }
 
@@ -52,8 +52,8 @@ class Relaxation {
     gather(0, column, 1, -1);
   }
 
-  /// s_i = sum N V / V_i should be 1. Scratch 0 <- s at the particle; scratch 1 <- how much of its neighbourhood is
-  /// not full (s_i < 0.7), where nothing is corrected.
+  /// s_i = sum N V / V_i should be 1. Scratch 0 <- s at the particle; scratch 1 <- how much of its
+  /// neighbourhood is not full (s_i < 0.7), where nothing is corrected.
   void volume(double rate) {
     sums.clear();
     for (auto& g : groups)
@@ -106,9 +106,10 @@ void relax(std::vector<std::unique_ptr<Group<G>>>& groups, const Grid<G>& grid, 
   if (rates.heat > 0) relaxation.heat(rates.heat, dt);
 }
 
-template void relax<Line>(std::vector<std::unique_ptr<Group<Line>>>&, const Grid<Line>&, Accumulator&,
-                          const RelaxationRates&, double);
-template void relax<PlaneStrain>(std::vector<std::unique_ptr<Group<PlaneStrain>>>&, const Grid<PlaneStrain>&,
-                                 Accumulator&, const RelaxationRates&, double);
+template void relax<Line>(std::vector<std::unique_ptr<Group<Line>>>&, const Grid<Line>&,
+                          Accumulator&, const RelaxationRates&, double);
+template void relax<PlaneStrain>(std::vector<std::unique_ptr<Group<PlaneStrain>>>&,
+                                 const Grid<PlaneStrain>&, Accumulator&, const RelaxationRates&,
+                                 double);
 
 }  // namespace brisance

@@ -1,7 +1,8 @@
 #pragma once
 // Corrections of fluids after a step, each exact in mass, momentum and energy:
 // - volume: volumes that no longer add up to the space drift back to it;
-// - pressure: differences in pressure that no node can see (null-space noise) even out by exchange of volume;
+// - pressure: differences in pressure that no node can see (null-space noise) even out by exchange
+// of volume;
 // - heat: compressing particles share their internal energy, which heals wall heating.
 // All are local means over nodes, S f = sum N w f / sum N w, gathered back with N.
 #include <memory>

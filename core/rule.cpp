@@ -63,15 +63,16 @@ constexpr bool is_array =
 
 }  // namespace
 
-InputError::InputError(std::string l, std::string p, std::string v, std::string r, std::string f,
-                       int n)
+// The base is made twice: the sentence needs the members.
+InputError::InputError(std::string in_list, std::string of_parameter, std::string with_value,
+                       std::string broken_rule, std::string in_file, int on_line)
     : std::runtime_error(""),
-      list(std::move(l)),
-      parameter(std::move(p)),
-      value(std::move(v)),
-      rule(std::move(r)),
-      file(std::move(f)),
-      line(n) {
+      list(std::move(in_list)),
+      parameter(std::move(of_parameter)),
+      value(std::move(with_value)),
+      rule(std::move(broken_rule)),
+      file(std::move(in_file)),
+      line(on_line) {
   static_cast<std::runtime_error&>(*this) = std::runtime_error(sentence(*this));
 }
 

@@ -12,8 +12,8 @@ namespace brisance {
 ///   inputs/sod.xml:14: list 'materials/air', parameter 'gamma' = 0.9: must be > 1
 /// Whatever is not known is left out: file and line are filled in by Document::locate.
 struct InputError : std::runtime_error {
-  InputError(std::string list, std::string parameter, std::string value, std::string rule,
-             std::string file = {}, int line = 0);
+  InputError(std::string in_list, std::string of_parameter, std::string with_value,
+             std::string broken_rule, std::string in_file = {}, int on_line = 0);
 
   std::string list;       // path from the top, "materials/air"; empty: the top itself
   std::string parameter;  // empty: the list as a whole

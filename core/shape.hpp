@@ -1,8 +1,8 @@
 #pragma once
 // The shape functions along one direction; a node's weight is the product over the directions.
-// Each gives the first node that it touches, `base(xi)`, and the weights and slopes of its `width` nodes.
-// Lengths are in cells. Sources: Sulsky et al. (1994) for linear, Bardenhagen & Kober (2004) for GIMP,
-// Steffen, Kirby & Berzins (2008) for the splines.
+// Each gives the first node that it touches, `base(xi)`, and the weights and slopes of its `width`
+// nodes. Lengths are in cells. Sources: Sulsky et al. (1994) for linear, Bardenhagen & Kober (2004)
+// for GIMP, Steffen, Kirby & Berzins (2008) for the splines.
 #include "core/types.hpp"
 
 namespace brisance {
@@ -30,7 +30,9 @@ struct Gimp {
   static constexpr int width = 3;
   static constexpr double affine_inertia = 0;
 
-  KOKKOS_INLINE_FUNCTION static int base(double xi) { return static_cast<int>(floor(xi + 0.5)) - 1; }
+  KOKKOS_INLINE_FUNCTION static int base(double xi) {
+    return static_cast<int>(floor(xi + 0.5)) - 1;
+  }
 
   KOKKOS_INLINE_FUNCTION static void at(double d, double half, double (&w)[3], double (&slope)[3]) {
     for (int k = 0; k < 3; ++k) {
@@ -58,7 +60,9 @@ struct QuadraticSpline {
   static constexpr int width = 3;
   static constexpr double affine_inertia = 1. / 4;  // sum over nodes of w r r, in cells^2
 
-  KOKKOS_INLINE_FUNCTION static int base(double xi) { return static_cast<int>(floor(xi + 0.5)) - 1; }
+  KOKKOS_INLINE_FUNCTION static int base(double xi) {
+    return static_cast<int>(floor(xi + 0.5)) - 1;
+  }
 
   KOKKOS_INLINE_FUNCTION static void at(double d, double, double (&w)[3], double (&slope)[3]) {
     w[0] = 0.5 * square(1.5 - d);

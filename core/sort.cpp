@@ -20,8 +20,10 @@ void permute(const T& column, const Array<int>& source, const T& spare, int begi
 }  // namespace
 
 template <class G>
-int Sorter<G>::sort(Particles<G>& particles, const Transfer<G>& transfer, const Lattice<G::dim>& lattice) {
-  const int count = particles.count, bins = lattice.size + 1;  // the last bin: particles that have left
+int Sorter<G>::sort(Particles<G>& particles, const Transfer<G>& transfer,
+                    const Lattice<G::dim>& lattice) {
+  const int count = particles.count,
+            bins = lattice.size + 1;  // the last bin: particles that have left
   const int chunks = std::max(1, std::min<int>(Space().concurrency(), count / 1024));
   const int per_chunk = (count + chunks - 1) / chunks;
   if (static_cast<int>(bin_.extent(0)) < count) {
@@ -47,7 +49,8 @@ int Sorter<G>::sort(Particles<G>& particles, const Transfer<G>& transfer, const 
         for (int p = c * per_chunk; p < end; ++p) ++counts(c, bin(p));
       });
   Kokkos::parallel_scan(
-      "places of bins", Kokkos::RangePolicy<Space>(0, bins), KOKKOS_LAMBDA(const int b, int& place, bool last) {
+      "places of bins", Kokkos::RangePolicy<Space>(0, bins),
+      KOKKOS_LAMBDA(const int b, int& place, bool last) {
         if (last) first(b) = place;
         for (int c = 0; c < chunks; ++c) {
           const int n = counts(c, b);
@@ -62,8 +65,8 @@ int Sorter<G>::sort(Particles<G>& particles, const Transfer<G>& transfer, const 
         for (int p = c * per_chunk; p < end; ++p) source(counts(c, bin(p))++) = p;
       });
 
-  // Only the stretch between the first and the last particle out of place is rewritten: ahead of a blast nothing
-  // moves.
+  // Only the stretch between the first and the last particle out of place is rewritten: ahead of a
+  // blast nothing moves.
   Kokkos::MinMaxScalar<int> moved;
   Kokkos::parallel_reduce(
       "out of place", Kokkos::RangePolicy<Space>(0, count),
@@ -81,7 +84,8 @@ int Sorter<G>::sort(Particles<G>& particles, const Transfer<G>& transfer, const 
       for (std::size_t k = 0; k < column.extent(1); ++k)
         permute(Array<double>(Kokkos::subview(column, Kokkos::ALL, k)), source, spare, begin, end);
     });
-    const Array<std::int64_t> spare_id(reinterpret_cast<std::int64_t*>(spare.data()), spare.extent(0));
+    const Array<std::int64_t> spare_id(reinterpret_cast<std::int64_t*>(spare.data()),
+                                       spare.extent(0));
     permute(particles.id, source, spare_id, begin, end);
   }
 

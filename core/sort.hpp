@@ -1,6 +1,6 @@
 #pragma once
-// Particles into the order of their bins: a stable counting sort, so that the order, and with it every sum over
-// particles, is the same for any number of threads.
+// Particles into the order of their bins: a stable counting sort, so that the order, and with it
+// every sum over particles, is the same for any number of threads.
 #include "core/particles.hpp"
 #include "core/transfer.hpp"
 
@@ -9,13 +9,14 @@ namespace brisance {
 template <class G>
 class Sorter {
  public:
-  /// Sorts and counts the bins. Particles that have left the domain come to stand behind the rest, from the new
-  /// `count` on, where they can still be read; returns how many they are.
+  /// Sorts and counts the bins. Particles that have left the domain come to stand behind the rest,
+  /// from the new `count` on, where they can still be read; returns how many they are.
   int sort(Particles<G>& particles, const Transfer<G>& transfer, const Lattice<G::dim>& lattice);
 
   /// Memory of the work arrays. [B]
   std::size_t bytes() const {
-    return (bin_.span() + source_.span() + counts_.span()) * sizeof(int) + spare_.span() * sizeof(double);
+    return (bin_.span() + source_.span() + counts_.span()) * sizeof(int) +
+           spare_.span() * sizeof(double);
   }
 
  private:

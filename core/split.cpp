@@ -29,8 +29,8 @@ struct Cut {
 }  // namespace
 
 template <class G>
-int split(Particles<G>& particles, const Lattice<G::dim>& lattice, const Boundaries<G::dim>& boundaries,
-          double length, std::int64_t& next_id) {
+int split(Particles<G>& particles, const Lattice<G::dim>& lattice,
+          const Boundaries<G::dim>& boundaries, double length, std::int64_t& next_id) {
   constexpr int D = G::dim;
   const int count = particles.count;
   const Kokkos::RangePolicy<Space> over(0, count);
@@ -39,7 +39,8 @@ int split(Particles<G>& particles, const Lattice<G::dim>& lattice, const Boundar
   {
     const Cut<G> cut{particles, longest};
     Kokkos::parallel_reduce(
-        "count parts", over, KOKKOS_LAMBDA(const int p, int& sum) { sum += cut.parts(cut.mask(p)) - 1; }, added);
+        "count parts", over,
+        KOKKOS_LAMBDA(const int p, int& sum) { sum += cut.parts(cut.mask(p)) - 1; }, added);
   }
   if (added == 0) return 0;
   particles.reserve(count + added);
@@ -94,8 +95,9 @@ int split(Particles<G>& particles, const Lattice<G::dim>& lattice, const Boundar
   return added;
 }
 
-template int split<Line>(Particles<Line>&, const Lattice<1>&, const Boundaries<1>&, double, std::int64_t&);
-template int split<PlaneStrain>(Particles<PlaneStrain>&, const Lattice<2>&, const Boundaries<2>&, double,
-                                std::int64_t&);
+template int split<Line>(Particles<Line>&, const Lattice<1>&, const Boundaries<1>&, double,
+                         std::int64_t&);
+template int split<PlaneStrain>(Particles<PlaneStrain>&, const Lattice<2>&, const Boundaries<2>&,
+                                double, std::int64_t&);
 
 }  // namespace brisance

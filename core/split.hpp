@@ -1,15 +1,16 @@
 #pragma once
-// Numerical fracture of a gas: particles that expansion has drawn further apart than a cell leave empty cells behind.
+// Numerical fracture of a gas: particles that expansion has drawn further apart than a cell leave
+// empty cells behind.
 #include "core/boundary.hpp"
 #include "core/particles.hpp"
 
 namespace brisance {
 
-/// Cuts each particle in two along every direction in which it is longer than `length` cells. The parts share its
-/// mass and volume and copy all that is intensive, so mass, momentum and energy are exact. New particles get ids from
-/// `next_id` on. Returns how many were added.
+/// Cuts each particle in two along every direction in which it is longer than `length` cells. The
+/// parts share its mass and volume and copy all that is intensive, so mass, momentum and energy are
+/// exact. New particles get ids from `next_id` on. Returns how many were added.
 template <class G>
-int split(Particles<G>& particles, const Lattice<G::dim>& lattice, const Boundaries<G::dim>& boundaries,
-          double length, std::int64_t& next_id);
+int split(Particles<G>& particles, const Lattice<G::dim>& lattice,
+          const Boundaries<G::dim>& boundaries, double length, std::int64_t& next_id);
 
 }  // namespace brisance

@@ -1,5 +1,6 @@
 #pragma once
-// A particle's view of the nodes around it: weights, slopes and arms on the width^dim nodes of its bin.
+// A particle's view of the nodes around it: weights, slopes and arms on the width^dim nodes of its
+// bin.
 #include "core/particles.hpp"
 
 namespace brisance {
@@ -11,8 +12,8 @@ struct Stencil {
   double w[D][W], slope[D][W], arm_[D][W];
 
   /// Of particle p in the bin at integer coordinates `base`.
-  KOKKOS_INLINE_FUNCTION Stencil(const Lattice<D>& lattice, const int (&base)[D], const Particles<G>& points,
-                                 int p) {
+  KOKKOS_INLINE_FUNCTION Stencil(const Lattice<D>& lattice, const int (&base)[D],
+                                 const Particles<G>& points, int p) {
     const double per_h = 1 / lattice.h;
     for (int d = 0; d < D; ++d) {
       const double at = lattice.in_cells(points.position(p, d), d) - base[d];
@@ -74,7 +75,8 @@ template <class G, class S, int C>
 struct Nodes {
   static constexpr int count = power(S::width, G::dim);
   double value[count][C];
-  KOKKOS_INLINE_FUNCTION Nodes(const Table<double>& field, const Lattice<G::dim>& lattice, int bin) {
+  KOKKOS_INLINE_FUNCTION Nodes(const Table<double>& field, const Lattice<G::dim>& lattice,
+                               int bin) {
     for (int n = 0; n < count; ++n) {
       const int node = bin + Stencil<G, S>::offset(lattice, n);
       for (int c = 0; c < C; ++c) value[n][c] = field(node, c);

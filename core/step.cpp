@@ -15,53 +15,80 @@ class Step {
   static constexpr int D = G::dim;
   State<G>& s;
   Exchange<G>& others;
-  double dt;
+  double dt = 0;
+  double crossings = 0;  ///< how many cells sound crosses in the step, at its fastest
 
-  /// Bins, gradients and stresses as the first step needs them, and the fastest signal.
-  double start() {
-    for (auto& g : s.groups) arrange(*g);
-    momentum_to_grid(false);
-    for (auto& g : s.groups) g->transfer->gather_gradient(g->particles, s.grid.lattice, s.grid.before);
-    double fastest = 0;
-    for (auto& g : s.groups) fastest = std::max(fastest, g->start(s.grid));
-    return others.max(fastest);
+  void prepare() {
+    for (auto& g : s.groups) {
+      arrange(*g);
+      g->start();
+    }
+    momentum_to_grid();
+    for (auto& g : s.groups)
+      g->transfer->gather_gradient(g->particles, s.grid.lattice, s.grid.before);
   }
 
-  double midpoint() {
-    momentum_to_grid(true);
-    for (auto& g : s.groups) g->transfer->gather_gradient(g->particles, s.grid.lattice, s.grid.before);
+  Signals begin() {
+    momentum_to_grid();
+    if (s.scheme.midpoint)
+      for (auto& g : s.groups)
+        g->transfer->gather_gradient(g->particles, s.grid.lattice, s.grid.before);
+    Signals all;
+    for (auto& g : s.groups) {
+      const Signals one = g->signals(s.grid.lattice.h);
+      all.fastest = std::max(all.fastest, one.fastest);
+      all.in_matter = std::max(all.in_matter, one.in_matter);
+    }
+    return {others.max(all.fastest), others.max(all.in_matter)};
+  }
+
+  void midpoint() {
+    damp_against_walls();
     know_cells();
     for (auto& g : s.groups) g->half_step(s.grid, dt);
     force_to_grid();
     for (auto& g : s.groups)
-      g->transfer->finish_midpoint(g->particles, s.grid, g->stress(), g->velocity_class, g->scheme.flip, dt);
-    return new_state([&](Group<G>& g) { return g.finish(s.grid, dt); });
+      g->transfer->finish_midpoint(g->particles, s.grid, g->stress(), g->velocity_class, flip(),
+                                   dt);
+    for (auto& g : s.groups) g->finish(dt);
+    new_order();
+    relax(s.groups, s.grid, s.sums, rates(), dt);
   }
 
-  /// Appendix A of Hu & Chen (2006): the velocities mapped back to the old positions give the strain.
-  double musl() {
-    momentum_to_grid(true);
+  /// Appendix A of Hu & Chen (2006): the velocities mapped back to the old positions give the
+  /// strain.
+  void musl() {
+    damp_against_walls();
     know_cells();
     force_to_grid();
-    for (auto& g : s.groups) g->transfer->accelerate(g->particles, s.grid, g->velocity_class, g->scheme.flip);
-    momentum_to_grid(false);
-    for (auto& g : s.groups) g->transfer->gradient_and_move(g->particles, s.grid, s.grid.before, dt);
-    return new_state([&](Group<G>& g) { return g.update(s.grid, dt); });
+    for (auto& g : s.groups)
+      g->transfer->accelerate(g->particles, s.grid, g->velocity_class, flip());
+    momentum_to_grid();
+    for (auto& g : s.groups)
+      g->transfer->gradient_and_move(g->particles, s.grid, s.grid.before, dt);
+    for (auto& g : s.groups) g->update(s.grid, dt);
+    new_order();
   }
 
  private:
-  /// grid.own and grid.before <- velocities at the nodes, walls at rest. A velocity update that draws particles
-  /// toward this field (`damping`) leaves the momentum that walls have stopped with them.
-  void momentum_to_grid(bool damping) {
+  /// Damping by the time it takes sound to cross a cell: the same for any time step, in any frame.
+  double flip() const { return 1 - std::min(0.1, s.scheme.damping * crossings); }
+
+  RelaxationRates rates() const {
+    RelaxationRates r = s.scheme.rates;
+    r.volume = std::min(0.2, r.volume * crossings);
+    return r;
+  }
+
+  /// grid.own and grid.before <- velocities at the nodes, walls at rest.
+  void momentum_to_grid() {
+    s.stopped.assign(s.grid.own.size(), {});
     for (std::size_t c = 0; c < s.grid.own.size(); ++c) {
-      double share = 0;
       s.sums.clear();
       for (auto& g : s.groups)
-        if (g->velocity_class == static_cast<int>(c)) {
+        if (g->velocity_class == static_cast<int>(c))
           g->transfer->scatter_momentum(g->particles, s.grid.lattice, s.sums);
-          if (damping) share = g->transfer->affine() ? 1 : 1 - g->scheme.flip;
-        }
-      collect(D + 1, share);
+      s.stopped[c] = collect(D + 1);
       const auto own = s.grid.own[c], total = s.sums.total;
       Kokkos::parallel_for(
           "nodal velocity", nodes(), KOKKOS_LAMBDA(const int n) {
@@ -107,69 +134,92 @@ class Step {
   void force_to_grid() {
     s.sums.clear();
     for (auto& g : s.groups) g->transfer->scatter_force(g->particles, s.grid, g->stress(), s.sums);
-    collect(D, dt);
+    push_walls(collect(D), dt);
     const auto before = s.grid.before, after = s.grid.after, force = s.sums.total;
     const double step = dt;
     Kokkos::parallel_for(
         "move grid", nodes(), KOKKOS_LAMBDA(const int n) {
           const double m = before(n, D);
-          for (int d = 0; d < D; ++d) after(n, d) = before(n, d) + (m > 0 ? step * force(n, d) / m : 0);
+          for (int d = 0; d < D; ++d)
+            after(n, d) = before(n, d) + (m > 0 ? step * force(n, d) / m : 0);
         });
     fill(after, D, D, s.grid.lattice, s.grid.boundaries);
   }
 
-  /// Sums of all threads, ranks and mirror images; walls take `share` of what they stop as impulse.
-  void collect(int columns, double share) {
+  /// Sums of all threads, ranks and mirror images. Returns what walls have stopped.
+  Vec<D> collect(int columns) {
     s.sums.contribute();
     others.sum(s.sums);
-    const Vec<D> mirrored = fold(s.sums.total, D, columns, s.grid.lattice, s.grid.boundaries);
+    Vec<D> stopped = fold(s.sums.total, D, columns, s.grid.lattice, s.grid.boundaries);
     const Vec<D> held = constrain(s.sums.total, s.grid.lattice, s.grid.boundaries);
-    for (int d = 0; d < D; ++d) s.wall_impulse[d] += share * (mirrored[d] + held[d]);
+    for (int d = 0; d < D; ++d) stopped[d] += held[d];
+    return stopped;
   }
 
-  template <class F>
-  double new_state(F&& f) {
-    double fastest = 0;
-    for (auto& g : s.groups) fastest = std::max(fastest, f(*g));
+  void push_walls(const Vec<D>& momentum, double share) {
+    for (int d = 0; d < D; ++d) s.wall_impulse[d] += share * momentum[d];
+  }
+
+  /// What walls have stopped is lost to the particles as far as their new velocities come from the
+  /// grid.
+  void damp_against_walls() {
+    for (std::size_t c = 0; c < s.stopped.size(); ++c) {
+      bool affine = false;
+      for (auto& g : s.groups)
+        affine = affine || (g->velocity_class == static_cast<int>(c) && g->transfer->affine());
+      push_walls(s.stopped[c], affine ? 1 : 1 - flip());
+    }
+  }
+
+  void new_order() {
     for (auto& g : s.groups) {
       if (g->fluid() && s.scheme.split_length > 0)
         split(g->particles, s.grid.lattice, s.grid.boundaries, s.scheme.split_length, s.next_id);
       arrange(*g);
     }
     others.migrate(s.groups);
-    relax(s.groups, s.grid, s.sums, s.scheme.rates, dt);
-    s.time += dt;
-    ++s.step;
-    return others.max(fastest);
   }
 
   /// Particles into their bins; those that have left are written off.
   void arrange(Group<G>& g) {
     const int left = s.sorter.sort(g.particles, *g.transfer, s.grid.lattice);
     const int count = g.particles.count;
-    if (left > 0) s.outflow += g.totals(count, count + left, g.transfer->affine_inertia(s.grid.lattice.h));
+    if (left > 0)
+      s.outflow += g.totals(count, count + left, g.transfer->affine_inertia(s.grid.lattice.h));
   }
 
-  Kokkos::RangePolicy<Space> nodes() const { return Kokkos::RangePolicy<Space>(0, s.grid.lattice.size); }
+  Kokkos::RangePolicy<Space> nodes() const {
+    return Kokkos::RangePolicy<Space>(0, s.grid.lattice.size);
+  }
 };
 
 }  // namespace
 
 template <class G>
-double start(State<G>& state, Exchange<G>& others) {
-  Step<G> none{state, others, 0};
-  return none.start();
+void prepare(State<G>& state) {
+  Exchange<G> alone;
+  Step<G>{state, alone}.prepare();
 }
 
 template <class G>
-double step(State<G>& state, Exchange<G>& others, double dt) {
-  Step<G> one{state, others, dt};
-  return state.scheme.midpoint ? one.midpoint() : one.musl();
+Signals begin_step(State<G>& state, Exchange<G>& others) {
+  return Step<G>{state, others}.begin();
 }
 
-template double start<Line>(State<Line>&, Exchange<Line>&);
-template double start<PlaneStrain>(State<PlaneStrain>&, Exchange<PlaneStrain>&);
-template double step<Line>(State<Line>&, Exchange<Line>&, double);
-template double step<PlaneStrain>(State<PlaneStrain>&, Exchange<PlaneStrain>&, double);
+template <class G>
+void finish_step(State<G>& state, Exchange<G>& others, const Signals& signals, double dt) {
+  Step<G> step{state, others, dt, signals.in_matter * dt / state.grid.lattice.h};
+  state.scheme.midpoint ? step.midpoint() : step.musl();
+  state.time += dt;
+  ++state.step;
+}
+
+#define BRISANCE_STEP(G)                                   \
+  template void prepare<G>(State<G>&);                     \
+  template Signals begin_step<G>(State<G>&, Exchange<G>&); \
+  template void finish_step<G>(State<G>&, Exchange<G>&, const Signals&, double);
+BRISANCE_STEP(Line)
+BRISANCE_STEP(PlaneStrain)
+#undef BRISANCE_STEP
 
 }  // namespace brisance

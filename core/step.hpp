@@ -21,7 +21,9 @@ class Exchange {
 
 /// The choices of a scheme that concern the step as a whole.
 struct StepScheme {
-  bool midpoint = true;     ///< compatible energy with half-step stress; else MUSL (Appendix A)
+  bool midpoint = true;  ///< compatible energy with half-step stress; else MUSL (Appendix A)
+  double damping =
+      0;  ///< FLIP: share of velocity drawn to the grid's in a sound crossing of a cell
   double split_length = 0;  ///< fluids' particles longer than this many cells are split; 0: never
   RelaxationRates rates;
 };
@@ -40,6 +42,8 @@ struct State {
   long step = 0;
   std::int64_t next_id = 0;
 
+  std::vector<Vec<D>>
+      stopped;  ///< of each class: nodal momentum that walls took out at the start of the step
   Vec<D> wall_impulse;  ///< momentum given to walls so far [N s], per metre or square metre
   Totals outflow;       ///< what left through free ends so far
 
@@ -53,12 +57,17 @@ struct State {
   }
 };
 
-/// Sorts the particles and sets their gradients and stress. Returns the fastest signal. [m/s]
+/// Sorts the particles into their bins and sets the stress that belongs to their state. Once,
+/// before the first step.
 template <class G>
-double start(State<G>& state, Exchange<G>& others);
+void prepare(State<G>& state);
 
-/// Advances by dt [s]. Returns the fastest signal at the end of the step, which sets the next dt. [m/s]
+/// The start of a step: velocities and gradients, which decide how far the step may go.
 template <class G>
-double step(State<G>& state, Exchange<G>& others, double dt);
+Signals begin_step(State<G>& state, Exchange<G>& others);
+
+/// The rest of the step, by dt [s].
+template <class G>
+void finish_step(State<G>& state, Exchange<G>& others, const Signals& signals, double dt);
 
 }  // namespace brisance

@@ -1,6 +1,7 @@
 #pragma once
-// The transfer seam: how particles and nodes exchange mass, momentum, force and velocity. It knows geometry, shape,
-// transfer scheme and whether stress is a number or a tensor; it does not know the material.
+// The transfer seam: how particles and nodes exchange mass, momentum, force and velocity. It knows
+// geometry, shape, transfer scheme and whether stress is a number or a tensor; it does not know the
+// material.
 #include <memory>
 #include <string>
 
@@ -39,40 +40,46 @@ class Transfer {
   /// sum over nodes of N r r, the second moment that carries affine kinetic energy. [m^2]
   virtual double affine_inertia(double h) const = 0;
 
-  /// bins(p) <- the bin of each particle: the first node that its shape touches; lattice.size when it has left.
+  /// bins(p) <- the bin of each particle: the first node that its shape touches; lattice.size when
+  /// it has left.
   virtual void find_bins(const Particles<G>&, const Lattice<D>&, const Array<int>& bins) const = 0;
 
   /// sums <- momentum (columns 0 .. D-1) and mass (column D). (A.1, A.2)
-  virtual void scatter_momentum(const Particles<G>&, const Lattice<D>&, const Accumulator&) const = 0;
+  virtual void scatter_momentum(const Particles<G>&, const Lattice<D>&,
+                                const Accumulator&) const = 0;
 
   /// sums <- internal force. (A.3, minus sign restored)
-  virtual void scatter_force(const Particles<G>&, const Grid<G>&, Stress, const Accumulator&) const = 0;
+  virtual void scatter_force(const Particles<G>&, const Grid<G>&, Stress,
+                             const Accumulator&) const = 0;
 
   /// Particle gradients <- gradient of a nodal velocity. (A.13)
-  virtual void gather_gradient(const Particles<G>&, const Lattice<D>&, const Table<double>& velocity) const = 0;
+  virtual void gather_gradient(const Particles<G>&, const Lattice<D>&,
+                               const Table<double>& velocity) const = 0;
 
   /// sums <- volume-weighted diagonal of the gradient and volume (column D) of each cell.
   virtual void scatter_cells(const Particles<G>&, const Lattice<D>&, const Accumulator&) const = 0;
 
   /// Particle velocity from the nodes, positions unmoved: FLIP with blend. (A.6, A.8)
-  virtual void accelerate(const Particles<G>&, const Grid<G>&, int velocity_class, double flip) const = 0;
+  virtual void accelerate(const Particles<G>&, const Grid<G>&, int velocity_class,
+                          double flip) const = 0;
 
   /// Gradient of `velocity`, then the move with grid.after. (A.7, A.9, A.13)
   virtual void gradient_and_move(const Particles<G>&, const Grid<G>&, const Table<double>& velocity,
                                  double dt) const = 0;
 
-  /// The end of a midpoint step: velocity, affine field, move, mid-step gradient, and the specific energy that work
-  /// and transfer give to each particle, so that total energy is kept to round-off.
-  virtual void finish_midpoint(const Particles<G>&, const Grid<G>&, Stress, int velocity_class, double flip,
-                               double dt) const = 0;
+  /// The end of a midpoint step: velocity, affine field, move, mid-step gradient, and the specific
+  /// energy that work and transfer give to each particle, so that total energy is kept to
+  /// round-off.
+  virtual void finish_midpoint(const Particles<G>&, const Grid<G>&, Stress, int velocity_class,
+                               double flip, double dt) const = 0;
 
   /// sums <- N w v (column 0) and N w (column 1), for nodal means of a value v with weight w.
   virtual void scatter_mean(const Particles<G>&, const Lattice<D>&, Entry value, Entry weight,
                             const Accumulator&) const = 0;
 
   /// value <- keep * value + factor * sum over nodes of N field(node, column).
-  virtual void gather_scalar(const Particles<G>&, const Lattice<D>&, const Table<double>& field, int column,
-                             Entry value, double keep, double factor) const = 0;
+  virtual void gather_scalar(const Particles<G>&, const Lattice<D>&, const Table<double>& field,
+                             int column, Entry value, double keep, double factor) const = 0;
 };
 
 template <class G>

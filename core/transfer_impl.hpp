@@ -1,5 +1,6 @@
 #pragma once
-// Binds the row functions to the Transfer interface; included by the files that instantiate one geometry.
+// Binds the row functions to the Transfer interface; included by the files that instantiate one
+// geometry.
 #include <stdexcept>
 
 #include "core/transfer.hpp"
@@ -20,7 +21,8 @@ class TransferBy final : public Transfer<G> {
   bool cell_quadrature() const override { return M::cells; }
   double affine_inertia(double h) const override { return S::affine_inertia * h * h; }
 
-  void find_bins(const Particles<G>& points, const Lattice<D>& lattice, const Array<int>& bins) const override {
+  void find_bins(const Particles<G>& points, const Lattice<D>& lattice,
+                 const Array<int>& bins) const override {
     Kokkos::parallel_for(
         "find bins", Kokkos::RangePolicy<Space>(0, points.count), KOKKOS_LAMBDA(const int p) {
           int base[D];
@@ -38,8 +40,9 @@ class TransferBy final : public Transfer<G> {
                         const Accumulator& sums) const override {
     const R rows{points, lattice};
     const auto scatter = sums.scatter;
-    for_rows("scatter momentum", lattice,
-             KOKKOS_LAMBDA(const Row<D>& row) { rows.momentum(row, scatter.access()); });
+    for_rows(
+        "scatter momentum", lattice,
+        KOKKOS_LAMBDA(const Row<D>& row) { rows.momentum(row, scatter.access()); });
   }
 
   void scatter_force(const Particles<G>& points, const Grid<G>& grid, Stress stress,
@@ -48,49 +51,56 @@ class TransferBy final : public Transfer<G> {
     const auto scatter = sums.scatter;
     const auto scale = grid.scale;
     if (stress == Stress::pressure)
-      for_rows("scatter force", grid.lattice, KOKKOS_LAMBDA(const Row<D>& row) {
-        rows.template force<Stress::pressure>(row, scale, scatter.access());
-      });
+      for_rows(
+          "scatter force", grid.lattice, KOKKOS_LAMBDA(const Row<D>& row) {
+            rows.template force<Stress::pressure>(row, scale, scatter.access());
+          });
     else
-      for_rows("scatter tensor force", grid.lattice, KOKKOS_LAMBDA(const Row<D>& row) {
-        rows.template force<Stress::tensor>(row, scale, scatter.access());
-      });
+      for_rows(
+          "scatter tensor force", grid.lattice, KOKKOS_LAMBDA(const Row<D>& row) {
+            rows.template force<Stress::tensor>(row, scale, scatter.access());
+          });
   }
 
   void gather_gradient(const Particles<G>& points, const Lattice<D>& lattice,
                        const Table<double>& velocity) const override {
     const R rows{points, lattice};
-    for_rows("gather gradient", lattice, KOKKOS_LAMBDA(const Row<D>& row) { rows.gradients(row, velocity); });
+    for_rows(
+        "gather gradient", lattice,
+        KOKKOS_LAMBDA(const Row<D>& row) { rows.gradients(row, velocity); });
   }
 
   void scatter_cells(const Particles<G>& points, const Lattice<D>& lattice,
                      const Accumulator& sums) const override {
     const R rows{points, lattice};
     const auto scatter = sums.scatter;
-    for_rows("scatter cells", lattice,
-             KOKKOS_LAMBDA(const Row<D>& row) { rows.cells(row, scatter.access()); });
+    for_rows(
+        "scatter cells", lattice,
+        KOKKOS_LAMBDA(const Row<D>& row) { rows.cells(row, scatter.access()); });
   }
 
   void accelerate(const Particles<G>& points, const Grid<G>& grid, int velocity_class,
                   double flip) const override {
     const R rows{points, grid.lattice};
     const auto before = grid.before, after = grid.after, own = grid.own[velocity_class];
-    for_rows("accelerate", grid.lattice,
-             KOKKOS_LAMBDA(const Row<D>& row) { rows.accelerate(row, before, after, own, flip); });
+    for_rows(
+        "accelerate", grid.lattice,
+        KOKKOS_LAMBDA(const Row<D>& row) { rows.accelerate(row, before, after, own, flip); });
   }
 
-  void gradient_and_move(const Particles<G>& points, const Grid<G>& grid, const Table<double>& velocity,
-                         double dt) const override {
+  void gradient_and_move(const Particles<G>& points, const Grid<G>& grid,
+                         const Table<double>& velocity, double dt) const override {
     const R rows{points, grid.lattice};
     const auto after = grid.after;
     const auto boundaries = grid.boundaries;
-    for_rows("gradient and move", grid.lattice, KOKKOS_LAMBDA(const Row<D>& row) {
-      rows.gradient_and_move(row, velocity, after, boundaries, dt);
-    });
+    for_rows(
+        "gradient and move", grid.lattice, KOKKOS_LAMBDA(const Row<D>& row) {
+          rows.gradient_and_move(row, velocity, after, boundaries, dt);
+        });
   }
 
-  void finish_midpoint(const Particles<G>& points, const Grid<G>& grid, Stress stress, int velocity_class,
-                       double flip, double dt) const override {
+  void finish_midpoint(const Particles<G>& points, const Grid<G>& grid, Stress stress,
+                       int velocity_class, double flip, double dt) const override {
     if (stress == Stress::pressure)
       for_rows("finish midpoint", grid.lattice,
                midpoint<Stress::pressure>(points, grid, velocity_class, flip, dt));
@@ -99,29 +109,32 @@ class TransferBy final : public Transfer<G> {
                midpoint<Stress::tensor>(points, grid, velocity_class, flip, dt));
   }
 
-  void scatter_mean(const Particles<G>& points, const Lattice<D>& lattice, Entry value, Entry weight,
-                    const Accumulator& sums) const override {
+  void scatter_mean(const Particles<G>& points, const Lattice<D>& lattice, Entry value,
+                    Entry weight, const Accumulator& sums) const override {
     const R rows{points, lattice};
     const auto scatter = sums.scatter;
-    for_rows("scatter mean", lattice, KOKKOS_LAMBDA(const Row<D>& row) {
-      rows.mean(row, value.table, value.column, weight.table, weight.column, scatter.access());
-    });
+    for_rows(
+        "scatter mean", lattice, KOKKOS_LAMBDA(const Row<D>& row) {
+          rows.mean(row, value.table, value.column, weight.table, weight.column, scatter.access());
+        });
   }
 
-  void gather_scalar(const Particles<G>& points, const Lattice<D>& lattice, const Table<double>& field,
-                     int column, Entry value, double keep, double factor) const override {
+  void gather_scalar(const Particles<G>& points, const Lattice<D>& lattice,
+                     const Table<double>& field, int column, Entry value, double keep,
+                     double factor) const override {
     const R rows{points, lattice};
-    for_rows("gather scalar", lattice, KOKKOS_LAMBDA(const Row<D>& row) {
-      rows.gather(row, field, column, value.table, value.column, keep, factor);
-    });
+    for_rows(
+        "gather scalar", lattice, KOKKOS_LAMBDA(const Row<D>& row) {
+          rows.gather(row, field, column, value.table, value.column, keep, factor);
+        });
   }
 
  private:
   template <Stress kind>
-  static Midpoint<G, M, kind> midpoint(const Particles<G>& points, const Grid<G>& grid, int velocity_class,
-                                       double flip, double dt) {
-    return {R{points, grid.lattice}, grid.before,     grid.after, grid.own[velocity_class],
-            grid.scale,              grid.boundaries, flip,       dt};
+  static Midpoint<G, M, kind> midpoint(const Particles<G>& points, const Grid<G>& grid,
+                                       int velocity_class, double flip, double dt) {
+    return {R{points, grid.lattice}, grid.before, grid.after, grid.own[velocity_class], grid.scale,
+            grid.boundaries,         flip,        dt};
   }
 };
 
@@ -130,18 +143,24 @@ std::unique_ptr<Transfer<G>> make_transfer(const TransferChoice& c) {
   const auto is = [&](const char* shape, const char* scheme, const char* quadrature) {
     return c.shape == shape && c.scheme == scheme && c.quadrature == quadrature;
   };
-  if (is("linear", "FLIP", "cell")) return std::make_unique<TransferBy<G, Method<Linear, false, false, true>>>();
+  if (is("linear", "FLIP", "cell"))
+    return std::make_unique<TransferBy<G, Method<Linear, false, false, true>>>();
   if (is("linear", "FLIP", "particle")) return std::make_unique<TransferBy<G, Method<Linear>>>();
   if (is("GIMP", "FLIP", "particle")) return std::make_unique<TransferBy<G, Method<Gimp>>>();
-  if (is("quadratic", "FLIP", "particle")) return std::make_unique<TransferBy<G, Method<QuadraticSpline>>>();
-  if (is("cubic", "FLIP", "particle")) return std::make_unique<TransferBy<G, Method<CubicSpline>>>();
-  if (is("quadratic", "APIC", "particle")) return std::make_unique<TransferBy<G, Method<QuadraticSpline, true>>>();
-  if (is("cubic", "APIC", "particle")) return std::make_unique<TransferBy<G, Method<CubicSpline, true>>>();
+  if (is("quadratic", "FLIP", "particle"))
+    return std::make_unique<TransferBy<G, Method<QuadraticSpline>>>();
+  if (is("cubic", "FLIP", "particle"))
+    return std::make_unique<TransferBy<G, Method<CubicSpline>>>();
+  if (is("quadratic", "APIC", "particle"))
+    return std::make_unique<TransferBy<G, Method<QuadraticSpline, true>>>();
+  if (is("cubic", "APIC", "particle"))
+    return std::make_unique<TransferBy<G, Method<CubicSpline, true>>>();
   if (is("quadratic", "MLS", "particle"))
     return std::make_unique<TransferBy<G, Method<QuadraticSpline, true, true>>>();
-  if (is("cubic", "MLS", "particle")) return std::make_unique<TransferBy<G, Method<CubicSpline, true, true>>>();
-  throw std::invalid_argument("no transfer of shape " + c.shape + ", scheme " + c.scheme + ", quadrature " +
-                              c.quadrature);
+  if (is("cubic", "MLS", "particle"))
+    return std::make_unique<TransferBy<G, Method<CubicSpline, true, true>>>();
+  throw std::invalid_argument("no transfer of shape " + c.shape + ", scheme " + c.scheme +
+                              ", quadrature " + c.quadrature);
 }
 
 }  // namespace brisance

@@ -1,7 +1,7 @@
 #pragma once
-// The end of a midpoint step as a function of a row. Work is done by the half-step stress on the mean of the grid
-// velocities before and after, the adjoint of the force, and what the transfer of velocity loses in kinetic energy
-// becomes heat, so that the total energy is kept to round-off.
+// The end of a midpoint step as a function of a row. Work is done by the half-step stress on the
+// mean of the grid velocities before and after, the adjoint of the force, and what the transfer of
+// velocity loses in kinetic energy becomes heat, so that the total energy is kept to round-off.
 #include "core/transfer_rows.hpp"
 
 namespace brisance {
@@ -20,18 +20,24 @@ struct Midpoint {
   double flip, dt;
 
   KOKKOS_INLINE_FUNCTION void operator()(const Row<D>& row) const {
-    rows.for_bins(row, [&](int bin, int begin, int end, const int (&base)[D]) {
-      const Field v0(before, rows.lattice, bin), v1(after, rows.lattice, bin), mine(own, rows.lattice, bin);
+    rows.for_bins(row, [&](int bin, int begin, int end, const int(&base)[D]) {
+      const Field v0(before, rows.lattice, bin), v1(after, rows.lattice, bin),
+          mine(own, rows.lattice, bin);
       Field middle(v0);
       for (int n = 0; n < nodes; ++n)
         for (int i = 0; i < D; ++i) middle.value[n][i] = 0.5 * (v0.value[n][i] + v1.value[n][i]);
       const double fill = M::cells ? scale(bin, 0) : 1;
+      double heat = 0, mass = 0;
       for (int p = begin; p < end; ++p) {
         const At at = rows.stencil(base, p);
         const Mat<D> gradient = rows.velocity_gradient(middle, at);
-        const double heat = M::affine ? affine_velocity(p, at, v0, v1, mine) : flip_velocity(p, at, v0, v1, mine);
-        const double power = contract(rows.points.template sigma<kind>(p), strain_rate<G>(gradient));
-        rows.points.work(p, 0) = power * fill * rows.points.vol(p) * dt / rows.points.m(p) + heat;
+        const double m = rows.points.m(p);
+        mass += m;
+        heat += m * (M::affine ? affine_velocity(p, at, v0, v1, mine)
+                               : flip_velocity(p, at, v0, v1, mine));
+        const double power =
+            contract(rows.points.template sigma<kind>(p), strain_rate<G>(gradient));
+        rows.points.work(p, 0) = power * fill * rows.points.vol(p) * dt / m;
         rows.points.set_matrix(rows.points.gradient, p, gradient);
         rows.points.stretch(p, gradient, dt);
         Vec<D> u;
@@ -39,12 +45,15 @@ struct Midpoint {
           for (int i = 0; i < D; ++i) u[i] += at.weight(n) * v1.value[n][i];
         rows.move(p, u, dt, boundaries);
       }
+      // Shared by all of the bin: given to each its own, it would burn light particles beside heavy
+      // ones.
+      for (int p = begin; p < end; ++p) rows.points.work(p, 0) += heat / mass;
     });
   }
 
-  /// FLIP with the share b = 1 - flip drawn to the velocity field of the particle's own class. Returns the kinetic
-  /// energy per mass that this loses:
-  /// (sum N |dv|^2 - |D|^2) / 2 + b (sum N |v_p - v_i|^2 + D . d) - b^2 |d|^2 / 2, D = sum N dv, d = v_p - sum N v_i.
+  /// FLIP with the share b = 1 - flip drawn to the velocity field of the particle's own class.
+  /// Returns the kinetic energy per mass that this loses: (sum N |dv|^2 - |D|^2) / 2 + b (sum N
+  /// |v_p - v_i|^2 + D . d) - b^2 |d|^2 / 2, D = sum N dv, d = v_p - sum N v_i.
   KOKKOS_INLINE_FUNCTION double flip_velocity(int p, const At& at, const Field& v0, const Field& v1,
                                               const Field& mine) const {
     const Vec<D> v = rows.points.v(p);
@@ -71,10 +80,10 @@ struct Midpoint {
            0.5 * b * b * dot(drift, drift);
   }
 
-  /// APIC (Jiang et al. 2015): w_i = v_i + dv_i; v_p = sum N w, C = sum N w r / inertia. Returns the loss
-  /// sum N (|v_p + C r - v_i|^2 before + |w_i - v_p - C r|^2 after) / 2.
-  KOKKOS_INLINE_FUNCTION double affine_velocity(int p, const At& at, const Field& v0, const Field& v1,
-                                                const Field& mine) const {
+  /// APIC (Jiang et al. 2015): w_i = v_i + dv_i; v_p = sum N w, C = sum N w r / inertia. Returns
+  /// the loss sum N (|v_p + C r - v_i|^2 before + |w_i - v_p - C r|^2 after) / 2.
+  KOKKOS_INLINE_FUNCTION double affine_velocity(int p, const At& at, const Field& v0,
+                                                const Field& v1, const Field& mine) const {
     const Vec<D> old = rows.points.v(p);
     const Mat<D> old_affine = rows.points.matrix(rows.points.affine, p);
     const double h = rows.lattice.h, per_inertia = 1 / (S::affine_inertia * h * h);

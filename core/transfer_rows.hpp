@@ -27,7 +27,8 @@ struct Rows {
   Particles<G> points;
   Lattice<D> lattice;
 
-  /// Calls f(bin, first particle, end, integer coordinates) for the bins of a row that hold particles.
+  /// Calls f(bin, first particle, end, integer coordinates) for the bins of a row that hold
+  /// particles.
   template <class F>
   KOKKOS_INLINE_FUNCTION void for_bins(const Row<D>& row, const F& f) const {
     if (points.first(row.begin) == points.first(row.end)) return;
@@ -43,7 +44,8 @@ struct Rows {
     return At(lattice, base, points, p);
   }
 
-  /// The gradient used for forces and strain rates: of the weights, or by moving least squares (N r / inertia).
+  /// The gradient used for forces and strain rates: of the weights, or by moving least squares (N r
+  /// / inertia).
   KOKKOS_INLINE_FUNCTION Vec<D> gradient(const At& at, int n) const {
     if constexpr (!M::mls) return at.gradient(n);
     Vec<D> g = at.arm(n);
@@ -63,7 +65,7 @@ struct Rows {
   /// (A.1), (A.2); with an affine field m (v + C r) as in APIC (Jiang et al. 2015).
   template <class Access>
   KOKKOS_INLINE_FUNCTION void momentum(const Row<D>& row, const Access& to) const {
-    for_bins(row, [&](int bin, int begin, int end, const int (&base)[D]) {
+    for_bins(row, [&](int bin, int begin, int end, const int(&base)[D]) {
       double sum[nodes][D + 1] = {};
       for (int p = begin; p < end; ++p) {
         const At at = stencil(base, p);
@@ -88,16 +90,18 @@ struct Rows {
     });
   }
 
-  /// (A.3): -V sigma . grad N. With cell quadrature the mean stress of the cell acts through the gradient at its
-  /// centre, so that a uniform pressure in full cells gives exactly no force.
+  /// (A.3): -V sigma . grad N. With cell quadrature the mean stress of the cell acts through the
+  /// gradient at its centre, so that a uniform pressure in full cells gives exactly no force.
   template <Stress kind, class Access>
-  KOKKOS_INLINE_FUNCTION void force(const Row<D>& row, const Table<double>& scale, const Access& to) const {
-    for_bins(row, [&](int bin, int begin, int end, const int (&base)[D]) {
+  KOKKOS_INLINE_FUNCTION void force(const Row<D>& row, const Table<double>& scale,
+                                    const Access& to) const {
+    for_bins(row, [&](int bin, int begin, int end, const int(&base)[D]) {
       double sum[nodes][D] = {};
       if constexpr (M::cells) {
         Sym3 total;
         for (int p = begin; p < end; ++p) add_stress<kind>(total, p);
-        for (int n = 0; n < nodes; ++n) pull<kind>(sum[n], total, centre_gradient<G>(n, lattice.h), scale(bin, 0));
+        for (int n = 0; n < nodes; ++n)
+          pull<kind>(sum[n], total, centre_gradient<G>(n, lattice.h), scale(bin, 0));
       } else {
         for (int p = begin; p < end; ++p) {
           const At at = stencil(base, p);
@@ -122,7 +126,8 @@ struct Rows {
   }
 
   template <Stress kind>
-  KOKKOS_INLINE_FUNCTION static void pull(double (&force)[D], const Sym3& s, const Vec<D>& g, double factor) {
+  KOKKOS_INLINE_FUNCTION static void pull(double (&force)[D], const Sym3& s, const Vec<D>& g,
+                                          double factor) {
     for (int i = 0; i < D; ++i) {
       if constexpr (kind == Stress::pressure)
         force[i] -= factor * s[0] * g[i];
@@ -140,13 +145,12 @@ struct Rows {
   KOKKOS_INLINE_FUNCTION Mat<D> velocity_gradient(const Nodes<G, S, D>& v, const At& at) const {
     Mat<D> gradient_;
     for (int n = 0; n < nodes; ++n)
-      add_outer(gradient_, v[n],
-                M::cells ? centre_gradient<G>(n, lattice.h) : gradient(at, n));
+      add_outer(gradient_, v[n], M::cells ? centre_gradient<G>(n, lattice.h) : gradient(at, n));
     return gradient_;
   }
 
   KOKKOS_INLINE_FUNCTION void gradients(const Row<D>& row, const Table<double>& velocity) const {
-    for_bins(row, [&](int bin, int begin, int end, const int (&base)[D]) {
+    for_bins(row, [&](int bin, int begin, int end, const int(&base)[D]) {
       const Nodes<G, S, D> v(velocity, lattice, bin);
       for (int p = begin; p < end; ++p)
         points.set_matrix(points.gradient, p, velocity_gradient(v, stencil(base, p)));
@@ -154,7 +158,8 @@ struct Rows {
   }
 
   /// A step along the grid velocity (A.9), then what the ends of the domain demand.
-  KOKKOS_INLINE_FUNCTION void move(int p, const Vec<D>& u, double dt, const Boundaries<D>& boundaries) const {
+  KOKKOS_INLINE_FUNCTION void move(int p, const Vec<D>& u, double dt,
+                                   const Boundaries<D>& boundaries) const {
     for (int d = 0; d < D; ++d)
       points.position(p, d) = boundaries.settle(lattice, d, points.position(p, d) + dt * u[d]);
   }
@@ -163,15 +168,17 @@ struct Rows {
   KOKKOS_INLINE_FUNCTION void accelerate(const Row<D>& row, const Table<double>& before,
                                          const Table<double>& after, const Table<double>& own,
                                          double flip) const {
-    for_bins(row, [&](int bin, int begin, int end, const int (&base)[D]) {
-      const Nodes<G, S, D> v0(before, lattice, bin), v1(after, lattice, bin), mine(own, lattice, bin);
+    for_bins(row, [&](int bin, int begin, int end, const int(&base)[D]) {
+      const Nodes<G, S, D> v0(before, lattice, bin), v1(after, lattice, bin),
+          mine(own, lattice, bin);
       for (int p = begin; p < end; ++p) {
         const At at = stencil(base, p);
         Vec<D> v = points.v(p), change;
         for (int n = 0; n < nodes; ++n) {
           const double w = at.weight(n);
           for (int i = 0; i < D; ++i)
-            change[i] += w * (v1.value[n][i] - v0.value[n][i] + (1 - flip) * (mine.value[n][i] - v[i]));
+            change[i] +=
+                w * (v1.value[n][i] - v0.value[n][i] + (1 - flip) * (mine.value[n][i] - v[i]));
         }
         for (int i = 0; i < D; ++i) points.velocity(p, i) = v[i] + change[i];
       }
@@ -179,9 +186,9 @@ struct Rows {
   }
 
   KOKKOS_INLINE_FUNCTION void gradient_and_move(const Row<D>& row, const Table<double>& velocity,
-                                                const Table<double>& after, const Boundaries<D>& boundaries,
-                                                double dt) const {
-    for_bins(row, [&](int bin, int begin, int end, const int (&base)[D]) {
+                                                const Table<double>& after,
+                                                const Boundaries<D>& boundaries, double dt) const {
+    for_bins(row, [&](int bin, int begin, int end, const int(&base)[D]) {
       const Nodes<G, S, D> v1(after, lattice, bin), v(velocity, lattice, bin);
       for (int p = begin; p < end; ++p) {
         const At at = stencil(base, p);
@@ -210,7 +217,7 @@ struct Rows {
   template <class Access>
   KOKKOS_INLINE_FUNCTION void mean(const Row<D>& row, const Table<double>& value, int vc,
                                    const Table<double>& weight, int wc, const Access& to) const {
-    for_bins(row, [&](int bin, int begin, int end, const int (&base)[D]) {
+    for_bins(row, [&](int bin, int begin, int end, const int(&base)[D]) {
       double sum[nodes][2] = {};
       for (int p = begin; p < end; ++p) {
         const At at = stencil(base, p);
@@ -225,8 +232,9 @@ struct Rows {
   }
 
   KOKKOS_INLINE_FUNCTION void gather(const Row<D>& row, const Table<double>& field, int column,
-                                     const Table<double>& value, int vc, double keep, double factor) const {
-    for_bins(row, [&](int bin, int begin, int end, const int (&base)[D]) {
+                                     const Table<double>& value, int vc, double keep,
+                                     double factor) const {
+    for_bins(row, [&](int bin, int begin, int end, const int(&base)[D]) {
       double f[nodes];
       for (int n = 0; n < nodes; ++n) f[n] = field(bin + At::offset(lattice, n), column);
       for (int p = begin; p < end; ++p) {

@@ -33,8 +33,8 @@ using math::sqrt;
 
 using Space = Kokkos::DefaultExecutionSpace;
 
-/// One value per row; rows of several components are stored component by component, so that a kernel that
-/// walks along a row of cells reads contiguous memory.
+/// One value per row; rows of several components are stored component by component, so that a
+/// kernel that walks along a row of cells reads contiguous memory.
 template <class T>
 using Array = Kokkos::View<T*, Space>;
 template <class T>
@@ -81,7 +81,8 @@ KOKKOS_INLINE_FUNCTION double trace(const Mat<D>& m) {
   return sum;
 }
 
-/// A symmetric tensor of three dimensions: xx, yy, zz, xy, yz, zx. Tension positive where it is a stress.
+/// A symmetric tensor of three dimensions: xx, yy, zz, xy, yz, zx. Tension positive where it is a
+/// stress.
 struct Sym3 {
   double a[6] = {};
   KOKKOS_INLINE_FUNCTION double& operator[](int i) { return a[i]; }
@@ -97,8 +98,7 @@ KOKKOS_INLINE_FUNCTION double trace(const Sym3& s) { return s[0] + s[1] + s[2]; 
 
 /// a : b, the double contraction.
 KOKKOS_INLINE_FUNCTION double contract(const Sym3& a, const Sym3& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] +
-         2 * (a[3] * b[3] + a[4] * b[4] + a[5] * b[5]);
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + 2 * (a[3] * b[3] + a[4] * b[4] + a[5] * b[5]);
 }
 
 }  // namespace brisance

@@ -91,7 +91,8 @@ class Seeder {
     const auto extent = host(p.extent);
     const auto id = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), p.id);
     const int begin = p.count, per_cell = body.per_cell;
-    const double v = state.grid.lattice.cell_volume() / power(per_cell, D), h = state.grid.lattice.h;
+    const double v = state.grid.lattice.cell_volume() / power(per_cell, D),
+                 h = state.grid.lattice.h;
     for_cells(state.grid.lattice, [&](const int(&cell)[D]) {
       if (owner(cell) != &body) return;
       for (int k = 0; k < power(per_cell, D); ++k) {
@@ -99,7 +100,8 @@ class Seeder {
         Place x{};
         for (int d = 0; d < D; ++d)
           x[d] = position(at, d) =
-              state.grid.lattice.origin[d] + (cell[d] + (k / power(per_cell, d) % per_cell + 0.5) / per_cell) * h;
+              state.grid.lattice.origin[d] +
+              (cell[d] + (k / power(per_cell, d) % per_cell + 0.5) / per_cell) * h;
         const GasState s = body.exact ? exact->at(x, 0) : GasState{};
         for (int d = 0; d < D; ++d) velocity(at, d) = body.exact ? s.v[d] : body.velocity[d];
         mass(at, 0) = v * (body.exact ? s.rho : body.density);
@@ -126,7 +128,8 @@ class Seeder {
       const Body* body = owner(cell);
       if (body && body->material == material) sum += power(body->per_cell, D);
     });
-    if (sum > 2e9) throw std::runtime_error("the scene has more than 2e9 particles of '" + material + "'");
+    if (sum > 2e9)
+      throw std::runtime_error("the scene has more than 2e9 particles of '" + material + "'");
     return static_cast<int>(sum);
   }
 
@@ -164,7 +167,8 @@ void seed(State<G>& state, const List& scene, const ExactSolution* exact) {
     for (const Body& body : bodies)
       if (body.material == group->label) seeder.seed(*group, body);
   }
-  if (state.particles() == 0) refuse(lists, "", "hold no particles: no cell's centre lies in a body");
+  if (state.particles() == 0)
+    refuse(lists, "", "hold no particles: no cell's centre lies in a body");
 }
 
 template void seed<Line>(State<Line>&, const List&, const ExactSolution*);

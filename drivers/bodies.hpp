@@ -9,7 +9,8 @@
 
 namespace brisance {
 
-/// Fills the groups, one for each material of the scene in its order, with the particles of the scene's bodies.
+/// Fills the groups, one for each material of the scene in its order, with the particles of the
+/// scene's bodies.
 template <class G>
 void seed(State<G>& state, const List& scene, const ExactSolution* exact);
 

@@ -17,13 +17,15 @@ std::string number(double value) {
 }  // namespace
 
 std::string Verdict::limit() const {
-  const bool low = least > std::numeric_limits<double>::lowest(), high = most < std::numeric_limits<double>::max();
+  const bool low = least > std::numeric_limits<double>::lowest(),
+             high = most < std::numeric_limits<double>::max();
   if (low && high) return number(least) + " .. " + number(most);
   if (low) return ">= " + number(least);
   return high ? "<= " + number(most) : "any";
 }
 
-Verdict judge_one(const List& range, const std::string& quantity, double measured, const std::string& unit) {
+Verdict judge_one(const List& range, const std::string& quantity, double measured,
+                  const std::string& unit) {
   return {quantity, unit, measured, get<double>(range, "least"), get<double>(range, "most")};
 }
 
@@ -31,7 +33,8 @@ std::vector<Verdict> judge(const List* ranges, const std::vector<Measure>& measu
   std::vector<Verdict> verdicts;
   if (!ranges) return verdicts;
   for (const auto& name : list_names(*ranges)) {
-    const auto m = std::find_if(measured.begin(), measured.end(), [&](const Measure& k) { return k.name == name; });
+    const auto m = std::find_if(measured.begin(), measured.end(),
+                                [&](const Measure& k) { return k.name == name; });
     if (m == measured.end()) refuse(ranges->sublist(name), "", "cannot be measured in this scene");
     verdicts.push_back(judge_one(ranges->sublist(name), name, m->value, m->unit));
   }
@@ -39,7 +42,8 @@ std::vector<Verdict> judge(const List* ranges, const std::vector<Measure>& measu
 }
 
 bool all_reached(const std::vector<Verdict>& verdicts) {
-  return std::all_of(verdicts.begin(), verdicts.end(), [](const Verdict& v) { return v.reached(); });
+  return std::all_of(verdicts.begin(), verdicts.end(),
+                     [](const Verdict& v) { return v.reached(); });
 }
 
 }  // namespace brisance

@@ -31,11 +31,11 @@ int run_command(const SceneRequest& request, const std::string& folder) {
   options.folder = folder.empty() ? "out/" + scene.name() : folder;
   const RunResult result = run(scene, options);
   for (const Verdict& v : result.outcome.verdicts)
-    std::printf("%-24s %12.4g %-6s %-20s %s\n", v.quantity.c_str(), v.measured, v.unit.c_str(), v.limit().c_str(),
-                v.reached() ? "reached" : "missed");
-  std::printf("%s: %s at t = %.6g s after %ld steps, %ld particles; results in %s\n", scene.name().c_str(),
-              result.outcome.status.c_str(), result.end.time, result.end.step, result.end.particles,
-              options.folder.c_str());
+    std::printf("%-24s %12.4g %-6s %-20s %s\n", v.quantity.c_str(), v.measured, v.unit.c_str(),
+                v.limit().c_str(), v.reached() ? "reached" : "missed");
+  std::printf("%s: %s at t = %.6g s after %ld steps, %ld particles; results in %s\n",
+              scene.name().c_str(), result.outcome.status.c_str(), result.end.time, result.end.step,
+              result.end.particles, options.folder.c_str());
   return result.outcome.status == "finished" ? 0 : 130;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// What the program can be asked to do. Each returns the exit status: 0 all well, 1 a limit missed or nothing done,
-// 2 bad input (thrown as InputError), 130 stopped by the user.
+// What the program can be asked to do. Each returns the exit status: 0 all well, 1 a limit missed
+// or nothing done, 2 bad input (thrown as InputError), 130 stopped by the user.
 #include <filesystem>
 #include <string>
 #include <vector>

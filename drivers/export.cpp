@@ -18,7 +18,8 @@ namespace {
 namespace fs = std::filesystem;
 
 void require_run(const fs::path& folder) {
-  if (!fs::is_directory(folder)) throw std::runtime_error("'" + folder.string() + "' is not a folder");
+  if (!fs::is_directory(folder))
+    throw std::runtime_error("'" + folder.string() + "' is not a folder");
   if (!fs::exists(folder / "input.xml"))
     throw std::runtime_error("'" + folder.string() + "' holds no run: it has no input.xml");
 }
@@ -32,14 +33,17 @@ std::vector<std::string> material_names(const fs::path& folder) {
 
 int export_command(const std::string& folder, const std::string& csv, double time) {
   require_run(folder);
-  const auto series = vtk::Series::resumed(fs::path(folder) / "particles.pvd", std::numeric_limits<double>::max());
+  const auto series =
+      vtk::Series::resumed(fs::path(folder) / "particles.pvd", std::numeric_limits<double>::max());
   if (series.entries().empty())
-    throw std::runtime_error("'" + folder + "' holds no particles: its scene has output/particles = false");
+    throw std::runtime_error("'" + folder +
+                             "' holds no particles: its scene has output/particles = false");
   auto entry = std::prev(series.entries().end());
   if (time >= 0)
-    entry = std::min_element(series.entries().begin(), series.entries().end(), [&](const auto& a, const auto& b) {
-      return std::fabs(a.time - time) < std::fabs(b.time - time);
-    });
+    entry = std::min_element(series.entries().begin(), series.entries().end(),
+                             [&](const auto& a, const auto& b) {
+                               return std::fabs(a.time - time) < std::fabs(b.time - time);
+                             });
   const auto columns = vtk::read_vtp(fs::path(folder) / entry->file);
   const auto find = [&](const std::string& name) -> const vtk::ReadColumn& {
     for (const auto& c : columns)
@@ -52,11 +56,11 @@ int export_command(const std::string& folder, const std::string& csv, double tim
     const vtk::ReadColumn* column;
     int component;
   };
-  std::vector<Source> sources = {{&find("points"), 0},   {&find("points"), 1},   {&find("points"), 2},
-                                 {&find("velocity"), 0}, {&find("velocity"), 1}, {&find("velocity"), 2},
-                                 {&find("mass"), 0},     {&find("volume"), 0},   {&find("density"), 0},
-                                 {&find("pressure"), 0}, {&find("energy"), 0}};
-  const std::vector<std::string> common = {"points",  "velocity", "mass",     "volume", "density",
+  std::vector<Source> sources = {
+      {&find("points"), 0},   {&find("points"), 1},   {&find("points"), 2}, {&find("velocity"), 0},
+      {&find("velocity"), 1}, {&find("velocity"), 2}, {&find("mass"), 0},   {&find("volume"), 0},
+      {&find("density"), 0},  {&find("pressure"), 0}, {&find("energy"), 0}};
+  const std::vector<std::string> common = {"points",   "velocity", "mass",     "volume", "density",
                                            "pressure", "energy",   "material", "id"};
   for (const auto& c : columns) {
     if (std::find(common.begin(), common.end(), c.name) != common.end()) continue;
@@ -74,7 +78,8 @@ int export_command(const std::string& folder, const std::string& csv, double tim
     std::snprintf(number, sizeof number, ",%.0f", id.values[row]);
     line += number;
     for (const Source& s : sources) {
-      std::snprintf(number, sizeof number, ",%.17g", s.column->values[row * s.column->components + s.component]);
+      std::snprintf(number, sizeof number, ",%.17g",
+                    s.column->values[row * s.column->components + s.component]);
       line += number;
     }
     file.write(line + "\n");

@@ -49,9 +49,11 @@ List schema_of(const std::string& name) {
   if (contains(exact_solutions(), name)) return valid_exact(given.set("solution", name));
   if (const List* found = find_anywhere(everything, name)) return *found;
   std::vector<std::string> words = list_names(everything);
-  for (const auto& more : {law_names(), exact_solutions()}) words.insert(words.end(), more.begin(), more.end());
-  throw InputError("", "", "", "there is no list, law, exact solution or file '" + one_line(name) + "'" +
-                                   did_you_mean(name, words));
+  for (const auto& more : {law_names(), exact_solutions()})
+    words.insert(words.end(), more.begin(), more.end());
+  throw InputError("", "", "",
+                   "there is no list, law, exact solution or file '" + one_line(name) + "'" +
+                       did_you_mean(name, words));
 }
 
 }  // namespace

@@ -173,7 +173,7 @@ std::string assign(List& list, const List& valid, const std::string& assignment)
   if (typed.isSublist(name)) refuse(typed, name, "is a list: name a parameter of it");
   const std::string wrong = put_text(*here, name, described(typed, name).type, value);
   if (!wrong.empty()) throw InputError(path_of(*here), name, "'" + value + "'", wrong);
-  const std::string path = joined(path_of(*here), name);
+  std::string path = joined(path_of(*here), name);
   list = changed;
   return path;
 }

@@ -69,7 +69,7 @@ std::string read(std::string_view text, Teuchos::Array<T>& values) {
 template <class T>
 std::string put(List& list, const std::string& name, const std::string& text) {
   T value{};
-  const std::string wrong = read(text, value);
+  std::string wrong = read(text, value);
   if (wrong.empty()) list.set(name, value);
   return wrong;
 }

@@ -6,7 +6,8 @@
 
 namespace brisance {
 
-/// Name and number of launches of all parallel_for, _reduce and _scan within `work`. Not to be nested.
+/// Name and number of launches of all parallel_for, _reduce and _scan within `work`. Not to be
+/// nested.
 std::map<std::string, int> kernels_of(const std::function<void()>& work);
 
 }  // namespace brisance

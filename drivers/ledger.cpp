@@ -30,7 +30,8 @@ double Ledger::energy_error(const Balance& now) const {
 
 std::vector<MeasureDoc> conservation_measures() {
   return {{"mass error", "-", "mass gained, over the mass at the start"},
-          {"momentum error", "-", "size of the momentum gained beyond what walls gave, over sqrt(2 mass energy)"},
+          {"momentum error", "-",
+           "size of the momentum gained beyond what walls gave, over sqrt(2 mass energy)"},
           {"energy error", "-", "total energy gained, over that at the start"},
           {"floors", "-", "how often an energy was held at its lower bound"}};
 }
@@ -43,19 +44,21 @@ std::vector<Measure> Ledger::measures(const Balance& now) const {
 }
 
 std::string Ledger::head() {
-  return "step,time,dt,particles,mass,momentum_x,momentum_y,momentum_z,kinetic,internal,total,mass_error,"
+  return "step,time,dt,particles,mass,momentum_x,momentum_y,momentum_z,kinetic,internal,total,mass_"
+         "error,"
          "momentum_error,energy_error,outflow_mass,wall_impulse_x,wall_impulse_y,wall_impulse_z\n";
 }
 
 std::string Ledger::line(const Balance& b) const {
   char text[1024];
   std::snprintf(text, sizeof text,
-                "%ld,%.17g,%.17g,%ld,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.6g,%.6g,%.6g,%.17g,%.17g,%.17g,"
+                "%ld,%.17g,%.17g,%ld,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.6g,%.6g,%.6g,%."
+                "17g,%.17g,%.17g,"
                 "%.17g\n",
-                b.step, b.time, b.dt, b.particles, b.totals.mass, b.totals.momentum[0], b.totals.momentum[1],
-                b.totals.momentum[2], b.totals.kinetic, b.totals.internal, b.totals.total(), mass_error(b),
-                momentum_error(b), energy_error(b), b.outflow.mass, b.wall_impulse[0], b.wall_impulse[1],
-                b.wall_impulse[2]);
+                b.step, b.time, b.dt, b.particles, b.totals.mass, b.totals.momentum[0],
+                b.totals.momentum[1], b.totals.momentum[2], b.totals.kinetic, b.totals.internal,
+                b.totals.total(), mass_error(b), momentum_error(b), energy_error(b), b.outflow.mass,
+                b.wall_impulse[0], b.wall_impulse[1], b.wall_impulse[2]);
   return text;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// What must be conserved: mass, momentum and energy of all particles, with what went out through free ends and what
-// walls have taken.
+// What must be conserved: mass, momentum and energy of all particles, with what went out through
+// free ends and what walls have taken.
 #include <string>
 #include <vector>
 

@@ -23,8 +23,12 @@ fs::path installed() {
 
 }  // namespace
 
-fs::path data_folder() { return first_with("inputs", {installed(), BRISANCE_SOURCE_DIR}).parent_path(); }
+fs::path data_folder() {
+  return first_with("inputs", {installed(), BRISANCE_SOURCE_DIR}).parent_path();
+}
 
-fs::path plot_script() { return first_with("plot.py", {installed(), fs::path(BRISANCE_SOURCE_DIR) / "drivers"}); }
+fs::path plot_script() {
+  return first_with("plot.py", {installed(), fs::path(BRISANCE_SOURCE_DIR) / "drivers"});
+}
 
 }  // namespace brisance

@@ -4,7 +4,8 @@
 
 namespace brisance {
 
-/// The folder that holds inputs/ and the plotting script: beside an installed program, else the source tree.
+/// The folder that holds inputs/ and the plotting script: beside an installed program, else the
+/// source tree.
 std::filesystem::path data_folder();
 
 /// The script that makes pictures.

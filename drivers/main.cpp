@@ -13,8 +13,9 @@ namespace {
 
 std::string version_text() {
   namespace v = brisance::version;
-  return std::string("brisance ") + v::number + " (" + v::commit + ", " + v::compiler + ", " + v::build_type +
-         ")\nKokkos " + v::kokkos + " (" + v::kokkos_devices + "), HDF5 " + v::hdf5 + ", " + v::mpi;
+  return std::string("brisance ") + v::number + " (" + v::commit + ", " + v::compiler + ", " +
+         v::build_type + ")\nKokkos " + v::kokkos + " (" + v::kokkos_devices + "), HDF5 " +
+         v::hdf5 + ", " + v::mpi;
 }
 
 void add_scene(CLI::App& command, brisance::SceneRequest& scene) {
@@ -55,13 +56,16 @@ int main(int argc, char** argv) {
   add_scene(*check_, scene);
   add_threads(check_);
 
-  CLI::App* describe_ = app.add_subcommand("describe", "print lists and parameters with default, rule, unit and doc");
-  describe_->add_option("NAME", name, "a list, a law, an exact solution or a scene file; default: everything");
+  CLI::App* describe_ =
+      app.add_subcommand("describe", "print lists and parameters with default, rule, unit and doc");
+  describe_->add_option("NAME", name,
+                        "a list, a law, an exact solution or a scene file; default: everything");
 
   CLI::App* export_ = app.add_subcommand("export", "write the particles of a run as a table");
   export_->add_option("DIR", folder, "folder of a run")->required();
   export_->add_option("--csv", csv, "file to write")->required();
-  export_->add_option("--time", time, "time of the output, the nearest is taken (default: the last) [s]");
+  export_->add_option("--time", time,
+                      "time of the output, the nearest is taken (default: the last) [s]");
 
   CLI::App* plot = app.add_subcommand("plot", "make pictures of a run");
   plot->add_option("DIR", folder, "folder of a run")->required();

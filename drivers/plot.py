@@ -39,7 +39,7 @@ STYLE = {
     "axes.titlecolor": INK, "axes.titlelocation": "left", "axes.edgecolor": "#9aa5ad",
     "axes.spines.top": False, "axes.spines.right": False, "axes.grid": True, "axes.axisbelow": True,
     "grid.color": "#e3e7ea", "grid.linewidth": 0.7, "xtick.color": GREY, "ytick.color": GREY,
-    "legend.frameon": False, "figure.dpi": 150, "savefig.dpi": 150,
+    "axes.formatter.useoffset": False, "legend.frameon": False, "figure.dpi": 150, "savefig.dpi": 150,
 }
 
 
@@ -186,7 +186,7 @@ def means(particles, velocity, bins, count):
 
 
 def value_range(values, volume):
-    """What all of the volume but a thousandth at each end has; whether half is far below the top."""
+    """What all of the volume but a thousandth at each end has; whether half is far below it."""
     order = np.argsort(values)
     share = np.cumsum(volume[order])
     places = np.searchsorted(share, share[-1] * np.array((1e-3, 0.5, 0.999)))
@@ -260,13 +260,13 @@ def draw_fields(run):
     dots = np.argsort(-spacing)  # the wide ones lie below
     grids = None
     if len(xy) > MOST_DOTS:
-        fine = max(extent.max() / 800, 2 * np.sqrt(extent.prod() / len(xy)))
+        fine = max(extent.max() / 800, 2.5 * np.sqrt(extent.prod() / len(xy)))
         shape = np.ceil(extent / fine).astype(int)
         cell = np.clip(((xy - low) / fine).astype(int), 0, shape - 1)
         cell = cell[:, 0] * shape[1] + cell[:, 1]
         grids = means(particles, values["velocity"], cell, shape.prod())
         box = np.array((low, low + shape * fine)).T.ravel() / scale_x
-        dots = dots[spacing[dots] > 0.55 * fine][:MOST_DOTS]  # show through the holes of the image
+        dots = dots[spacing[dots] > 0.45 * fine][:MOST_DOTS]  # show through the holes of the image
     drawn = []
     for ax, (key, colour_map) in zip(axes.flat, COLOURS.items()):
         bottom, top, decades = value_range(values[key], volume)
@@ -340,7 +340,7 @@ def draw_history(run):
 def main():
     parser = argparse.ArgumentParser(description="Draws pictures of a run into DIR/pictures.")
     parser.add_argument("folder", metavar="DIR", help="where the run wrote its results")
-    parser.add_argument("--frame", type=int, metavar="N", help="the N-th particle file, not the last")
+    parser.add_argument("--frame", type=int, metavar="N", help="a particle file, not the last")
     given = parser.parse_args()
     plt.rcParams.update(STYLE)
     if not os.path.isdir(given.folder):

@@ -13,17 +13,18 @@ Preset preset(const std::string& name, int dim) {
     p.quadrature = "particle";
     p.integration = "MUSL";
     p.work = "printed";
-    p.flip = 1;
+    p.damping = 0;
     p.volume_relaxation = p.pressure_relaxation = p.heat_conduction = p.split_length = 0;
     p.viscosity = "von Neumann-Richtmyer";
     p.quadratic = 2;
+    p.linear = 1;
     p.expansion = p.limiter = 0;
     p.cfl = 0.3;
     p.largest_volume_change = 0.1;
     return p;
   }
   if (name == "fast") {
-    p.flip = 0.99;
+    p.damping = 0.015;
     p.pressure_relaxation = p.heat_conduction = 0;
     p.viscosity = "von Neumann-Richtmyer";
     p.linear = 0.5;
@@ -43,34 +44,43 @@ List valid_shock_viscosity(const Preset& p) {
   List valid;
   declare(valid, "form", p.viscosity, one_of({"none", "von Neumann-Richtmyer", "Kurapatenko"}),
           "formula of the artificial viscosity q [-]");
-  declare(valid, "quadratic", p.quadratic, at_least_zero(), "coefficient c0 of the quadratic term [-]");
+  declare(valid, "quadratic", p.quadratic, at_least_zero(),
+          "coefficient c0 of the quadratic term [-]");
   declare(valid, "linear", p.linear, at_least_zero(), "coefficient c1 of the linear term [-]");
-  declare(valid, "expansion", p.expansion, at_least_zero(), "coefficient of the linear term in expansion [-]");
-  declare(valid, "limiter", p.limiter, between(0, 1), "share of q taken away where the flow is smooth [-]");
+  declare(valid, "expansion", p.expansion, at_least_zero(),
+          "coefficient of the linear term in expansion [-]");
+  declare(valid, "limiter", p.limiter, between(0, 1),
+          "share of the linear terms taken away where the flow is smooth [-]");
   return valid;
 }
 
 List valid_scheme(const Preset& p) {
   List valid;
-  declare(valid, "shape", p.shape, one_of({"linear", "GIMP", "quadratic", "cubic"}), "shape function [-]");
+  declare(valid, "shape", p.shape, one_of({"linear", "GIMP", "quadratic", "cubic"}),
+          "shape function [-]");
   declare(valid, "transfer", p.transfer, one_of({"FLIP", "APIC", "MLS"}),
-          "velocity transfer: FLIP, affine (APIC), affine with moving-least-squares gradients (MLS) [-]");
+          "velocity transfer: FLIP, affine (APIC), affine with moving-least-squares gradients "
+          "(MLS) [-]");
   declare(valid, "quadrature", p.quadrature, one_of({"particle", "cell"}),
           "where stress acts: at each particle, or as the mean of a cell through its centre [-]");
   declare(valid, "integration", p.integration, one_of({"MUSL", "midpoint"}),
           "MUSL (the paper's Appendix A) or midpoint stress with compatible energy [-]");
   declare(valid, "MUSL work", p.work, one_of({"exact", "printed"}),
-          "work of pressure on the exact change of specific volume, or divided by the new density as printed [-]");
-  declare(valid, "FLIP share", p.flip, between(0, 1), "1: FLIP; less: the rest is drawn to the grid's velocity [-]");
+          "work of pressure on the exact change of specific volume, or divided by the new density "
+          "as printed [-]");
+  declare(
+      valid, "damping", p.damping, between(0, 1),
+      "FLIP: share of a particle's velocity drawn to the grid's in a sound crossing of a cell [-]");
   declare(valid, "volume relaxation", p.volume_relaxation, between(0, 1),
-          "share of the error in filled volume that is removed in a step [-]");
+          "share of the error in filled volume that is removed in a sound crossing of a cell [-]");
   declare(valid, "pressure relaxation", p.pressure_relaxation, at_least_zero(),
-          "rate at which pressure noise evens out, in sound crossings of a cell [-]");
+          "share of the pressure noise that evens out in a sound crossing of a cell [-]");
   declare(valid, "heat conduction", p.heat_conduction, at_least_zero(),
-          "rate at which compressing particles share heat, in their compression rate [-]");
+          "share of their heat that particles exchange per unit of compression [-]");
   declare(valid, "split length", p.split_length, at_least_zero(),
           "particles of fluids longer than this are split; 0: never [cells]");
-  declare_list(valid, "artificial viscosity", "what gives shocks a width") = valid_shock_viscosity(p);
+  declare_list(valid, "artificial viscosity", "what gives shocks a width") =
+      valid_shock_viscosity(p);
   return valid;
 }
 

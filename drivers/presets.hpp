@@ -6,18 +6,18 @@
 
 namespace brisance {
 
-/// paper: Appendix A of Hu & Chen (2006) as printed, for comparison. fast, balanced, accurate: with compatible energy;
-/// what each reaches and costs stands in the README.
+/// paper: Appendix A of Hu & Chen (2006) as printed, for comparison. fast, balanced, accurate: with
+/// compatible energy; what each reaches and costs stands in the README.
 struct Preset {
   // transfer
   std::string shape = "linear", transfer = "FLIP", quadrature = "cell", integration = "midpoint";
   std::string work = "exact";
-  double flip = 0.98;
+  double damping = 0.03;
   // corrections
-  double volume_relaxation = 0.1, pressure_relaxation = 1, heat_conduction = 1, split_length = 0.5;
+  double volume_relaxation = 0.15, pressure_relaxation = 1, heat_conduction = 1, split_length = 0.5;
   // artificial viscosity
   std::string viscosity = "Kurapatenko";
-  double quadratic = 1, linear = 1, expansion = 0.25, limiter = 1;
+  double quadratic = 1, linear = 0.75, expansion = 0.25, limiter = 1;
   // time step
   double cfl = 0.8, largest_volume_change = 0.5;
 };

@@ -31,7 +31,9 @@ vtk::Box box_of(const ParticleTable& t) {
 }
 
 /// A number as JSON has it: null for what is not finite.
-nlohmann::json json(double value) { return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json(); }
+nlohmann::json json(double value) {
+  return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();
+}
 
 }  // namespace
 
@@ -48,13 +50,14 @@ Results::Results(const std::filesystem::path& folder, const List& scene)
       history_(Ledger::head()) {
   make_folder(folder_);
   write_input(scene, (folder_ / "input.xml").string(),
-              "The complete input of this run, defaults included. brisance " + std::string(version::number));
+              "The complete input of this run, defaults included. brisance " +
+                  std::string(version::number));
 }
 
 std::string Results::numbered(const std::string& name) const {
   char number[16];
-  std::snprintf(number, sizeof number, "_%06zu", name == "grid" ? grid_series_.entries().size()
-                                                               : particle_series_.entries().size());
+  std::snprintf(number, sizeof number, "_%06zu",
+                name == "grid" ? grid_series_.entries().size() : particle_series_.entries().size());
   return name + number + (name == "grid" ? ".vti" : ".vtp");
 }
 
@@ -62,10 +65,14 @@ void Results::add(const Snapshot& shot) {
   const ParticleTable& t = shot.table;
   if (particles_) {
     std::vector<vtk::Column> columns = {
-        vtk::Column("velocity", 3, interleaved(t.vx, t.vy, t.vz)), vtk::Column("mass", t.mass),
-        vtk::Column("volume", t.volume),   vtk::Column("density", t.density),
-        vtk::Column("pressure", t.pressure), vtk::Column("energy", t.energy),
-        vtk::Column("material", std::vector<std::int32_t>(shot.material.begin(), shot.material.end())),
+        vtk::Column("velocity", 3, interleaved(t.vx, t.vy, t.vz)),
+        vtk::Column("mass", t.mass),
+        vtk::Column("volume", t.volume),
+        vtk::Column("density", t.density),
+        vtk::Column("pressure", t.pressure),
+        vtk::Column("energy", t.energy),
+        vtk::Column("material",
+                    std::vector<std::int32_t>(shot.material.begin(), shot.material.end())),
         vtk::Column("id", shot.id)};
     for (const auto& field : shot.fields) columns.emplace_back(field.name, field.values);
     const std::string file = numbered("particles");
@@ -83,12 +90,14 @@ void Results::add(const Snapshot& shot) {
       density.push_back(empty ? 0 : s.mean_density());
       pressure.push_back(empty ? 0 : s.mean_pressure());
       energy.push_back(empty ? 0 : s.mean_energy());
-      for (const double v : empty ? std::array<double, 3>{} : s.mean_velocity()) velocity.push_back(v);
+      for (const double v : empty ? std::array<double, 3>{} : s.mean_velocity())
+        velocity.push_back(v);
     }
     const std::string file = numbered("grid");
     vtk::write_vti(folder_ / file, box_of(t), {},
-                   {vtk::Column("fill", fill), vtk::Column("density", density), vtk::Column("pressure", pressure),
-                    vtk::Column("energy", energy), vtk::Column("velocity", 3, velocity)});
+                   {vtk::Column("fill", fill), vtk::Column("density", density),
+                    vtk::Column("pressure", pressure), vtk::Column("energy", energy),
+                    vtk::Column("velocity", 3, velocity)});
     grid_series_.add(shot.time, folder_ / file);
   }
 }
@@ -103,7 +112,8 @@ void Results::write_exact(const ExactSolution& exact, const Snapshot& shot) {
   const bool radial = exact.radial();
   const double length = t.cells[0] * t.cell_size * (radial ? 0.5 : 1);
   const Place centre = exact.centre();
-  std::string text = radial ? "r,density,velocity,pressure,energy\n" : "x,density,velocity,pressure,energy\n";
+  std::string text =
+      radial ? "r,density,velocity,pressure,energy\n" : "x,density,velocity,pressure,energy\n";
   constexpr int points = 2000;
   for (int k = 0; k < points; ++k) {
     const double along = length * (k + 0.5) / points;
@@ -112,7 +122,8 @@ void Results::write_exact(const ExactSolution& exact, const Snapshot& shot) {
     for (int d = 1; d < t.dim && !radial; ++d) x[d] += 0.5 * t.cells[d] * t.cell_size;
     const GasState s = exact.at(x, shot.time);
     char line[256];
-    std::snprintf(line, sizeof line, "%.9g,%.9g,%.9g,%.9g,%.9g\n", radial ? along : x[0], s.rho, s.v[0], s.p, s.e);
+    std::snprintf(line, sizeof line, "%.9g,%.9g,%.9g,%.9g,%.9g\n", radial ? along : x[0], s.rho,
+                  s.v[0], s.p, s.e);
     text += line;
   }
   write_file(folder_ / "exact.csv", text);
@@ -138,7 +149,8 @@ void Results::write_summary(const Outcome& outcome, const Ledger& ledger, const 
   j["energy_error"] = json(ledger.energy_error(b));
   j["floors"] = b.floors;
   j["outflow_mass"] = json(b.outflow.mass);
-  for (const Measure& m : outcome.measures) j["measures"][m.name] = {{"value", json(m.value)}, {"unit", m.unit}};
+  for (const Measure& m : outcome.measures)
+    j["measures"][m.name] = {{"value", json(m.value)}, {"unit", m.unit}};
   j["checks"] = nlohmann::ordered_json::array();
   for (const Verdict& v : outcome.verdicts)
     j["checks"].push_back({{"quantity", v.quantity},

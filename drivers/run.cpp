@@ -19,7 +19,9 @@ double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC
 /// The times of output: multiples of an interval; a step passes one when it first reaches it.
 class Cadence {
  public:
-  Cadence(double interval, double end) : interval_(interval > 0 ? interval : end / 10) { next_ = interval_; }
+  Cadence(double interval, double end) : interval_(interval > 0 ? interval : end / 10) {
+    next_ = interval_;
+  }
   bool due(double time) {
     if (time < next_ * (1 - 1e-12)) return false;
     while (next_ <= time * (1 + 1e-12)) next_ = static_cast<double>(++count_) * interval_;
@@ -56,7 +58,8 @@ RunResult run(const List& scene, const RunOptions& options) {
   if (results) shown.log = options.folder / "log.txt";
   Progress progress(shown);
   const auto standing = [&] {
-    return Standing{simulation->time(), simulation->dt(), simulation->step_count(), simulation->particle_count()};
+    return Standing{simulation->time(), simulation->dt(), simulation->step_count(),
+                    simulation->particle_count()};
   };
 
   write();
@@ -70,7 +73,8 @@ RunResult run(const List& scene, const RunOptions& options) {
     progress.update(standing());
     if (cadence.due(simulation->time()) && simulation->time() < end) write();
   }
-  result.outcome.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+  result.outcome.wall_seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
   result.outcome.cpu_seconds = cpu_seconds() - cpu;
   result.outcome.status = simulation->time() < end ? "interrupted" : "finished";
   progress.finish(standing());
@@ -80,7 +84,8 @@ RunResult run(const List& scene, const RunOptions& options) {
   const Snapshot shot = simulation->snapshot();
   result.outcome.measures = ledger.measures(result.end);
   if (exact)
-    for (const Measure& m : exact->measures(shot.table, shot.time)) result.outcome.measures.push_back(m);
+    for (const Measure& m : exact->measures(shot.table, shot.time))
+      result.outcome.measures.push_back(m);
   if (result.outcome.status == "finished")
     result.outcome.verdicts = judge(find_list(scene, "checks"), result.outcome.measures);
   if (results) {

@@ -18,8 +18,8 @@ struct RunResult {
   double cell_size = 0;  // [m]
 };
 
-/// Runs a checked scene to its end, or until a signal (SIGINT, SIGTERM) asks to stop: then the output so far is
-/// complete and the status "interrupted".
+/// Runs a checked scene to its end, or until a signal (SIGINT, SIGTERM) asks to stop: then the
+/// output so far is complete and the status "interrupted".
 RunResult run(const List& scene, const RunOptions& options);
 
 /// Asks running loops to stop after the step they are in; safe in a signal handler.

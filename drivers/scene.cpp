@@ -29,8 +29,10 @@ Preset chosen_preset(const List& given) {
 
 void add_grid(List& valid, int dim) {
   List& grid = declare_list(valid, "grid", "the background grid of square cells");
-  declare(grid, "origin", std::vector<double>(dim, 0.0), anything() && entries(dim), "low corner [m]");
-  declare_required<std::vector<int>>(grid, "cells", at_least(1) && entries(dim), "cells along each direction [-]");
+  declare(grid, "origin", std::vector<double>(dim, 0.0), anything() && entries(dim),
+          "low corner [m]");
+  declare_required<std::vector<int>>(grid, "cells", at_least(1) && entries(dim),
+                                     "cells along each direction [-]");
   declare_required<double>(grid, "cell size", positive(), "edge of a cell [m]");
 }
 
@@ -38,15 +40,18 @@ void add_boundaries(List& valid, int dim) {
   List& ends = declare_list(valid, "boundaries", "what happens at the ends of the grid");
   for (int d = 0; d < dim; ++d)
     for (const char* end : {" low", " high"})
-      declare(ends, std::string(axes[d]) + end, "wall", one_of({"wall", "fixed", "free", "periodic"}),
+      declare(ends, std::string(axes[d]) + end, "wall",
+              one_of({"wall", "fixed", "free", "periodic"}),
               "frictionless wall, fixed wall, empty space, or joined to the other end [-]");
 }
 
 void add_time(List& valid, const Preset& preset) {
   List& time = declare_list(valid, "time", "how far, and in which steps");
   declare_required<double>(time, "end", positive(), "simulated time [s]");
-  declare(time, "CFL", preset.cfl, above(0) && at_most(0.95), "cells that the fastest signal may cross in a step [-]");
-  declare(time, "largest growth", 1.2, between(1, 10), "factor by which a step may exceed the one before [-]");
+  declare(time, "CFL", preset.cfl, above(0) && at_most(0.95),
+          "cells that the fastest signal may cross in a step [-]");
+  declare(time, "largest growth", 1.2, between(1, 10),
+          "factor by which a step may exceed the one before [-]");
   declare(time, "largest volume change", preset.largest_volume_change, above(0) && at_most(0.9),
           "share of its volume that a particle may gain or lose in a step [-]");
 }
@@ -63,7 +68,8 @@ void add_shape(List& valid, int dim) {
 List valid_body(const List& given, const std::vector<std::string>& materials, int dim) {
   List valid;
   declare_required<std::string>(valid, "material", one_of(materials), "name of its material [-]");
-  declare(valid, "particles per cell", 3, at_least(1) && at_most(16), "particles along each direction of a cell [-]");
+  declare(valid, "particles per cell", 3, at_least(1) && at_most(16),
+          "particles along each direction of a cell [-]");
   declare(valid, "initial state", "uniform", one_of({"uniform", "exact"}),
           "uniform, or that of the exact solution at time 0 [-]");
   if (peek<std::string>(given, valid, "initial state") == "uniform") {
@@ -75,10 +81,12 @@ List valid_body(const List& given, const std::vector<std::string>& materials, in
     if (has("specific energy") && has("pressure"))
       refuse(given, "specific energy", "is given beside 'pressure': give one of the two");
     if (has("specific energy"))
-      declare_required<double>(valid, "specific energy", at_least_zero(), "specific internal energy [J/kg]");
+      declare_required<double>(valid, "specific energy", at_least_zero(),
+                               "specific internal energy [J/kg]");
     else
       declare_required<double>(valid, "pressure", at_least_zero(), "pressure [Pa]");
-    declare(valid, "velocity", std::vector<double>(dim, 0.0), anything() && entries(dim), "velocity [m/s]");
+    declare(valid, "velocity", std::vector<double>(dim, 0.0), anything() && entries(dim),
+            "velocity [m/s]");
   }
   add_shape(valid, dim);
   return valid;
@@ -86,7 +94,8 @@ List valid_body(const List& given, const std::vector<std::string>& materials, in
 
 void add_output(List& valid) {
   List& output = declare_list(valid, "output", "what is written while the run goes on");
-  declare(output, "interval", 0.0, at_least_zero(), "simulated time between outputs; 0: a tenth of the run [s]");
+  declare(output, "interval", 0.0, at_least_zero(),
+          "simulated time between outputs; 0: a tenth of the run [s]");
   declare(output, "particles", true, anything(), "particles, as .vtp [-]");
   declare(output, "grid", true, anything(), "nodes and cells, as .vti [-]");
 }
@@ -94,12 +103,15 @@ void add_output(List& valid) {
 void add_range(List& list, const MeasureDoc& measure) {
   List& range = declare_optional_list(list, measure.name, measure.doc);
   const std::string unit = " [" + (measure.unit.empty() ? std::string("-") : measure.unit) + "]";
-  declare(range, "least", std::numeric_limits<double>::lowest(), anything(), "least value that is right" + unit);
-  declare(range, "most", std::numeric_limits<double>::max(), anything(), "greatest value that is right" + unit);
+  declare(range, "least", std::numeric_limits<double>::lowest(), anything(),
+          "least value that is right" + unit);
+  declare(range, "most", std::numeric_limits<double>::max(), anything(),
+          "greatest value that is right" + unit);
 }
 
 void add_checks(List& valid, const List* exact, int dim) {
-  List& checks = declare_optional_list(valid, "checks", "what the run must reach; told by 'verify'");
+  List& checks =
+      declare_optional_list(valid, "checks", "what the run must reach; told by 'verify'");
   for (const auto& measure : conservation_measures()) add_range(checks, measure);
   if (!exact) return;
   const auto solution = make_exact(check(*exact, valid_exact(*exact)));
@@ -107,8 +119,10 @@ void add_checks(List& valid, const List* exact, int dim) {
   const auto measures = solution->measure_docs();
   for (const auto& measure : measures) add_range(checks, measure);
 
-  List& convergence = declare_optional_list(valid, "convergence", "runs on several grids, by 'verify'");
-  declare_required<std::vector<int>>(convergence, "cells", at_least(2), "cells along x, one run each [-]");
+  List& convergence =
+      declare_optional_list(valid, "convergence", "runs on several grids, by 'verify'");
+  declare_required<std::vector<int>>(convergence, "cells", at_least(2),
+                                     "cells along x, one run each [-]");
   List& orders = declare_optional_list(convergence, "order", "order of convergence of measures");
   List& every = declare_optional_list(convergence, "every", "what each of the runs must reach");
   for (const auto& measure : measures) {
@@ -121,7 +135,8 @@ void check_pairs(const List& scene, int dim) {
   const List& ends = scene.sublist("boundaries");
   for (int d = 0; d < dim; ++d) {
     const std::string low = std::string(axes[d]) + " low", high = std::string(axes[d]) + " high";
-    const bool a = get<std::string>(ends, low) == "periodic", b = get<std::string>(ends, high) == "periodic";
+    const bool a = get<std::string>(ends, low) == "periodic",
+               b = get<std::string>(ends, high) == "periodic";
     if (a != b) refuse(ends, a ? high : low, "must be periodic too: the two ends are joined");
   }
   const List& grid = scene.sublist("grid");
@@ -138,7 +153,8 @@ void check_scheme(const List& scene) {
   if (text("integration") == "midpoint") return;
   if (text("transfer") != "FLIP") refuse(scheme, "transfer", "must be 'FLIP' with MUSL");
   for (const char* name : {"volume relaxation", "pressure relaxation", "heat conduction"})
-    if (get<double>(scheme, name) > 0) refuse(scheme, name, "must be 0 with MUSL: it needs the midpoint's energy");
+    if (get<double>(scheme, name) > 0)
+      refuse(scheme, name, "must be 0 with MUSL: it needs the midpoint's energy");
 }
 
 void check_bodies(const List& scene) {
@@ -150,7 +166,8 @@ void check_bodies(const List& scene) {
     if (get<std::string>(body, "initial state") == "exact" && !find_list(scene, "exact"))
       refuse(body, "initial state", "needs a list 'exact' in the scene");
     if (!box) continue;
-    const auto low = get<std::vector<double>>(*box, "low"), high = get<std::vector<double>>(*box, "high");
+    const auto low = get<std::vector<double>>(*box, "low"),
+               high = get<std::vector<double>>(*box, "high");
     for (std::size_t d = 0; d < low.size(); ++d)
       if (!(low[d] < high[d])) refuse(*box, "high", "must be above 'low' along each direction");
   }
@@ -175,20 +192,23 @@ List valid_scene(const List& given) {
   declare_list(valid, "scheme", "the method") = valid_scheme(preset);
 
   const List given_materials = empty_or(find_list(given, "materials"));
-  List& materials = declare_list(valid, "materials", "one list for each material, under a name of its own");
+  List& materials =
+      declare_list(valid, "materials", "one list for each material, under a name of its own");
   for (const auto& name : list_names(given_materials))
     declare_list(materials, name, "a material") =
         valid_material(*find_list(given_materials, name), valid_shock_viscosity(preset));
 
   const List given_bodies = empty_or(find_list(given, "bodies"));
-  List& bodies = declare_list(valid, "bodies", "one list for each body; the first that holds a cell's centre owns it");
+  List& bodies = declare_list(
+      valid, "bodies", "one list for each body; the first that holds a cell's centre owns it");
   for (const auto& name : list_names(given_bodies))
     declare_list(bodies, name, "a body") =
         valid_body(*find_list(given_bodies, name), list_names(given_materials), dim);
 
   add_output(valid);
   const List* exact = find_list(given, "exact");
-  List& exact_list = declare_optional_list(valid, "exact", "the known answer that the run is measured against");
+  List& exact_list =
+      declare_optional_list(valid, "exact", "the known answer that the run is measured against");
   if (exact) exact_list = valid_exact(*exact);
   add_checks(valid, exact, dim);
   return valid;
@@ -196,7 +216,8 @@ List valid_scene(const List& given) {
 
 List complete_scene(const List& given) {
   const List scene = check(given, valid_scene(given));
-  if (list_names(scene.sublist("materials")).empty()) refuse(scene, "materials", "must name a material");
+  if (list_names(scene.sublist("materials")).empty())
+    refuse(scene, "materials", "must name a material");
   if (list_names(scene.sublist("bodies")).empty()) refuse(scene, "bodies", "must name a body");
   check_pairs(scene, dimension(scene));
   check_scheme(scene);

@@ -1,6 +1,7 @@
 #pragma once
-// What a scene may say, and the scene as completed by its defaults. The schema is built from what is given: a preset
-// sets the defaults of the scheme, a law the parameters of a material, the presence of a list what is modelled.
+// What a scene may say, and the scene as completed by its defaults. The schema is built from what
+// is given: a preset sets the defaults of the scheme, a law the parameters of a material, the
+// presence of a list what is modelled.
 #include <string>
 
 #include "core/parameters.hpp"

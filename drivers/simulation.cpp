@@ -13,8 +13,10 @@ namespace brisance {
 namespace {
 
 Side side_of(const std::string& name) {
-  static const std::map<std::string, Side> sides = {
-      {"wall", Side::wall}, {"fixed", Side::fixed}, {"free", Side::free}, {"periodic", Side::periodic}};
+  static const std::map<std::string, Side> sides = {{"wall", Side::wall},
+                                                    {"fixed", Side::fixed},
+                                                    {"free", Side::free},
+                                                    {"periodic", Side::periodic}};
   return sides.at(name);
 }
 
@@ -23,7 +25,8 @@ class SimulationIn final : public Simulation {
  public:
   static constexpr int D = G::dim;
 
-  SimulationIn(const List& scene, const ExactSolution* exact) : state_(make_grid(scene), make_scheme(scene)) {
+  SimulationIn(const List& scene, const ExactSolution* exact)
+      : state_(make_grid(scene), make_scheme(scene)) {
     const List& scheme = scene.sublist("scheme");
     const List& time = scene.sublist("time");
     cfl_ = get<double>(time, "CFL");
@@ -36,30 +39,32 @@ class SimulationIn final : public Simulation {
       group->transfer = make_transfer<G>(transfer_choice(scheme));
       group->scheme.midpoint = state_.scheme.midpoint;
       group->scheme.printed_work = get<std::string>(scheme, "MUSL work") == "printed";
-      group->scheme.flip = get<double>(scheme, "FLIP share");
       group->scheme.strain_length =
           cfl_ * state_.grid.lattice.h / get<double>(time, "largest volume change");
       state_.groups.push_back(std::move(group));
     }
     seed(state_, scene, exact);
-    fastest_ = start(state_, others_);
+    prepare(state_);
+    signals_ = begin_step(state_, others_);
     dt_ = stable_step();
   }
 
   double time() const override { return state_.time; }
-  double dt() const override { return state_.step > 0 ? dt_ : next_step(); }
+  double dt() const override { return dt_; }
   long step_count() const override { return state_.step; }
   long particle_count() const override { return state_.particles(); }
 
   void advance(double end) override {
-    dt_ = next_step();
+    if (state_.step > 0) signals_ = begin_step(state_, others_);
+    dt_ = std::min(stable_step(), growth_ * dt_);
+    if (!(signals_.fastest < 1e299))
+      throw std::runtime_error("step " + std::to_string(state_.step) + ", time " +
+                               std::to_string(state_.time) +
+                               " s: the state is no longer finite; try a smaller 'time/CFL'");
     const double left = end - state_.time;
     const bool last = dt_ >= left * (1 - 1e-12);
-    fastest_ = step(state_, others_, last ? left : dt_);
+    finish_step(state_, others_, signals_, last ? left : dt_);
     if (last) state_.time = end;
-    if (!(fastest_ < 1e299))
-      throw std::runtime_error("step " + std::to_string(state_.step) + ", time " + std::to_string(state_.time) +
-                               " s: the state is no longer finite; try a smaller 'time/CFL'");
   }
 
   Balance balance() const override {
@@ -71,7 +76,8 @@ class SimulationIn final : public Simulation {
     b.outflow = state_.outflow;
     for (int d = 0; d < D; ++d) b.wall_impulse[d] = state_.wall_impulse[d];
     for (const auto& g : state_.groups) {
-      b.totals += g->totals(0, g->particles.count, g->transfer->affine_inertia(state_.grid.lattice.h));
+      b.totals +=
+          g->totals(0, g->particles.count, g->transfer->affine_inertia(state_.grid.lattice.h));
       b.floors += g->floors;
     }
     return b;
@@ -87,7 +93,8 @@ class SimulationIn final : public Simulation {
       t.origin[d] = state_.grid.lattice.origin[d];
       t.cells[d] = state_.grid.lattice.cells[d];
     }
-    for (std::size_t g = 0; g < state_.groups.size(); ++g) copy(*state_.groups[g], static_cast<int>(g), shot);
+    for (std::size_t g = 0; g < state_.groups.size(); ++g)
+      copy(*state_.groups[g], static_cast<int>(g), shot);
     return shot;
   }
 
@@ -113,10 +120,12 @@ class SimulationIn final : public Simulation {
  private:
   State<G> state_;
   Exchange<G> others_;
-  double cfl_ = 0, growth_ = 0, fastest_ = 0, dt_ = 0;
+  Signals signals_;
+  double cfl_ = 0, growth_ = 0, dt_ = 0;
 
-  double stable_step() const { return cfl_ * state_.grid.lattice.h / std::max(fastest_, 1e-300); }
-  double next_step() const { return std::min(stable_step(), growth_ * dt_); }
+  double stable_step() const {
+    return cfl_ * state_.grid.lattice.h / std::max(signals_.fastest, 1e-300);
+  }
 
   static TransferChoice transfer_choice(const List& scheme) {
     return {get<std::string>(scheme, "shape"), get<std::string>(scheme, "transfer"),
@@ -135,8 +144,10 @@ class SimulationIn final : public Simulation {
     for (int d = 0; d < D; ++d) {
       low[d] = origin[d];
       count[d] = cells[d];
-      ends.side[d][0] = side_of(get<std::string>(scene.sublist("boundaries"), std::string(axes[d]) + " low"));
-      ends.side[d][1] = side_of(get<std::string>(scene.sublist("boundaries"), std::string(axes[d]) + " high"));
+      ends.side[d][0] =
+          side_of(get<std::string>(scene.sublist("boundaries"), std::string(axes[d]) + " low"));
+      ends.side[d][1] =
+          side_of(get<std::string>(scene.sublist("boundaries"), std::string(axes[d]) + " high"));
     }
     ends.mirrors = get<std::string>(scheme, "shape") != "linear";
     GridNeeds needs;
@@ -156,6 +167,7 @@ class SimulationIn final : public Simulation {
     const List& scheme = scene.sublist("scheme");
     StepScheme s;
     s.midpoint = get<std::string>(scheme, "integration") == "midpoint";
+    s.damping = get<double>(scheme, "damping");
     s.split_length = get<double>(scheme, "split length");
     s.rates = {get<double>(scheme, "volume relaxation"), get<double>(scheme, "pressure relaxation"),
                get<double>(scheme, "heat conduction")};
@@ -200,7 +212,8 @@ class SimulationIn final : public Simulation {
       auto field = std::find_if(shot.fields.begin(), shot.fields.end(),
                                 [&](const auto& f) { return f.name == names[k].name; });
       if (field == shot.fields.end())
-        field = shot.fields.insert(field, {names[k].name, names[k].unit, std::vector<double>(before)});
+        field =
+            shot.fields.insert(field, {names[k].name, names[k].unit, std::vector<double>(before)});
       append(field->values, part(p.history, static_cast<int>(k)));
     }
     for (auto& field : shot.fields) field.values.resize(all);
@@ -210,7 +223,8 @@ class SimulationIn final : public Simulation {
 }  // namespace
 
 std::unique_ptr<Simulation> make_simulation(const List& scene, const ExactSolution* exact) {
-  if (get<std::string>(scene, "geometry") == "line") return std::make_unique<SimulationIn<Line>>(scene, exact);
+  if (get<std::string>(scene, "geometry") == "line")
+    return std::make_unique<SimulationIn<Line>>(scene, exact);
   return std::make_unique<SimulationIn<PlaneStrain>>(scene, exact);
 }
 

@@ -20,7 +20,8 @@ struct Snapshot {
     std::string name, unit;
     std::vector<double> values;
   };
-  std::vector<Field> fields;  ///< state variables beyond energy; 0 where a material does not have one
+  std::vector<Field>
+      fields;  ///< state variables beyond energy; 0 where a material does not have one
 };
 
 /// What a scene takes.
@@ -38,12 +39,13 @@ class Simulation {
  public:
   virtual ~Simulation() = default;
 
-  virtual double time() const = 0;           // [s]
-  virtual double dt() const = 0;             // of the last step, or of the first to come [s]
+  virtual double time() const = 0;  // [s]
+  virtual double dt() const = 0;    // of the last step, or of the first to come [s]
   virtual long step_count() const = 0;
   virtual long particle_count() const = 0;
 
-  /// One step, which does not go beyond `end`. Throws std::runtime_error when the state is no longer finite.
+  /// One step, which does not go beyond `end`. Throws std::runtime_error when the state is no
+  /// longer finite.
   virtual void advance(double end) = 0;
 
   virtual Balance balance() const = 0;
@@ -51,7 +53,8 @@ class Simulation {
   virtual Footprint footprint() const = 0;
 };
 
-/// Sets up a checked scene. `exact` gives initial states to the bodies that ask for it; may be null.
+/// Sets up a checked scene. `exact` gives initial states to the bodies that ask for it; may be
+/// null.
 std::unique_ptr<Simulation> make_simulation(const List& scene, const ExactSolution* exact);
 
 }  // namespace brisance

@@ -12,13 +12,17 @@ namespace {
 
 class VerdictTable {
  public:
-  VerdictTable() { std::printf("%-22s %-34s %12s  %-20s %s\n", "scene", "quantity", "measured", "limit", "verdict"); }
+  VerdictTable() {
+    std::printf("%-22s %-34s %12s  %-20s %s\n", "scene", "quantity", "measured", "limit",
+                "verdict");
+  }
 
   void add(const std::string& scene, const Verdict& v) {
     char measured[48];
-    std::snprintf(measured, sizeof measured, "%.4g %s", v.measured, v.unit == "-" ? "" : v.unit.c_str());
-    std::printf("%-22s %-34s %12s  %-20s %s\n", scene.c_str(), v.quantity.c_str(), measured, v.limit().c_str(),
-                v.reached() ? "reached" : "MISSED");
+    std::snprintf(measured, sizeof measured, "%.4g %s", v.measured,
+                  v.unit == "-" ? "" : v.unit.c_str());
+    std::printf("%-22s %-34s %12s  %-20s %s\n", scene.c_str(), v.quantity.c_str(), measured,
+                v.limit().c_str(), v.reached() ? "reached" : "MISSED");
     std::fflush(stdout);
     ++(v.reached() ? reached_ : missed_);
   }
@@ -73,7 +77,8 @@ void verify_convergence(const List& scene, const List& convergence, VerdictTable
   for (const auto& name : list_names(*orders)) {
     std::vector<double> errors;
     for (const auto& measures : all) errors.push_back(std::fabs(value_of(measures, name)));
-    table.add(scene.name(), judge_one(orders->sublist(name), "order of " + name, order(sizes, errors), "-"));
+    table.add(scene.name(),
+              judge_one(orders->sublist(name), "order of " + name, order(sizes, errors), "-"));
   }
 }
 

@@ -46,18 +46,23 @@ std::vector<ReadColumn> read_vtp(const std::filesystem::path& path) {
   };
   const auto appended = file.find("<AppendedData");
   const auto underscore = file.find('_', appended == std::string::npos ? 0 : appended);
-  if (appended == std::string::npos || underscore == std::string::npos) throw fail("it has no appended data");
+  if (appended == std::string::npos || underscore == std::string::npos)
+    throw fail("it has no appended data");
   const std::string head = file.substr(0, appended);
   const std::size_t data = underscore + 1;
 
   std::vector<ReadColumn> columns;
   const auto end_of_verts = head.find("<Verts>");
-  for (auto at = head.find("<DataArray"); at != std::string::npos; at = head.find("<DataArray", at + 1)) {
+  for (auto at = head.find("<DataArray"); at != std::string::npos;
+       at = head.find("<DataArray", at + 1)) {
     const std::string tag = head.substr(at, head.find('>', at) - at);
     const auto closing = head.find("</Verts>");
-    if (end_of_verts != std::string::npos && at > end_of_verts && at < closing) continue;  // connectivity
-    const std::string offset = attribute(tag, "offset"), components = attribute(tag, "NumberOfComponents");
-    if (offset.empty() || offset.find_first_not_of("0123456789") != std::string::npos) throw fail("bad offset");
+    if (end_of_verts != std::string::npos && at > end_of_verts && at < closing)
+      continue;  // connectivity
+    const std::string offset = attribute(tag, "offset"),
+                      components = attribute(tag, "NumberOfComponents");
+    if (offset.empty() || offset.find_first_not_of("0123456789") != std::string::npos)
+      throw fail("bad offset");
     const std::size_t begin = data + std::stoull(offset);
     std::uint64_t size = 0;
     if (begin + sizeof size > file.size()) throw fail("it is cut off");

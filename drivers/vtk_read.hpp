@@ -12,8 +12,8 @@ struct ReadColumn {
   std::vector<double> values;
 };
 
-/// All arrays of a .vtp of ours, the points first, under the name "points". Throws std::runtime_error with one line
-/// for a file that is not one.
+/// All arrays of a .vtp of ours, the points first, under the name "points". Throws
+/// std::runtime_error with one line for a file that is not one.
 std::vector<ReadColumn> read_vtp(const std::filesystem::path& path);
 
 }  // namespace brisance::vtk

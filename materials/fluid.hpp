@@ -42,23 +42,30 @@ struct Fluid {
   }
 
   /// The fastest signal while the point is strained at `rate`. [m/s]
-  KOKKOS_INLINE_FUNCTION double signal_speed(const Sym3& rate, double rho, double c, double h) const {
+  KOKKOS_INLINE_FUNCTION double signal_speed(const Sym3& rate, double rho, double c,
+                                             double h) const {
     const double b = shock.speed(c, eos.shock_slope(), trace(rate), h);
     return b + sqrt(square(b) + square(c)) + shear.signal_speed(rho, h);
   }
 
   /// Energy by the trapezoid rule in closed form, with which the iteration of (A.19)-(A.22) agrees:
-  /// e1 = [e0 - ((p0 + offset1)/2 + q) dv + dev(sigma_visc) : D dt / rho0] / [1 + slope1 dv / 2], where q is the mean of
-  /// the viscous pressures before and after, as far as `old` holds the former.
+  /// e1 = [e0 - ((p0 + offset1)/2 + q) dv + dev(sigma_visc) : D dt / rho0] / [1 + slope1 dv / 2],
+  /// where q is the mean of the viscous pressures before and after, as far as `old` holds the
+  /// former.
   KOKKOS_INLINE_FUNCTION Response update(const Strain& in, const Sym3& old, History& h) const {
     const double K = eos.shock_slope();
-    const double q = shock.pressure(in.rho0, pressure(in.rho0, h.energy), sound_speed(in.rho0, h), K, in);
+    const double q =
+        shock.pressure(in.rho0, pressure(in.rho0, h.energy), sound_speed(in.rho0, h), K, in);
     const Sym3 viscous = shear.stress_of(in.rate);
-    const double viscous_pressure = q - trace(viscous) / 3, p0 = -trace(old) / 3, dv = in.volume_change;
+    const double viscous_pressure = q - trace(viscous) / 3, p0 = -trace(old) / 3,
+                 dv = in.volume_change;
     const double shear_work = contract(viscous, in.rate) - trace(viscous) * trace(in.rate) / 3;
-    h.energy = (h.energy - (0.5 * (p0 + eos.offset(in.rho1)) + (in.viscous_before ? 0.5 : 1) * viscous_pressure) * dv +
-                shear_work * in.dt / in.rho0) /
-               (1 + 0.5 * eos.slope(in.rho1) * dv);
+    h.energy =
+        (h.energy -
+         (0.5 * (p0 + eos.offset(in.rho1)) + (in.viscous_before ? 0.5 : 1) * viscous_pressure) *
+             dv +
+         shear_work * in.dt / in.rho0) /
+        (1 + 0.5 * eos.slope(in.rho1) * dv);
     h.energy = most(h.energy, 0);
     Response r = state(in.rho1, h);
     for (int k = 0; k < 3; ++k) r.stress[k] -= q;

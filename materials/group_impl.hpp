@@ -36,147 +36,161 @@ class MaterialGroup final : public Group<G> {
   void initialise(int begin, bool from_energy) override {
     const Point point = this->point();
     Kokkos::parallel_for(
-        "initialise", Kokkos::RangePolicy<Space>(begin, this->particles.count), KOKKOS_LAMBDA(const int p) {
+        "initialise", Kokkos::RangePolicy<Space>(begin, this->particles.count),
+        KOKKOS_LAMBDA(const int p) {
           const double given = point.particles.stress(p, 0);
           point.save(p, point.material.initial(point.rho(p), given, from_energy));
         });
   }
 
-  double start(const Grid<G>& grid) override {
+  void start() override {
     const Point point = this->point();
-    const double h_cell = grid.lattice.h, strain_length = this->scheme.strain_length;
-    return fastest("start", KOKKOS_LAMBDA(const int p, double& speed) {
-      const Response r = point.material.state(point.rho(p), point.load(p));
-      point.particles.template set_sigma<M::stress>(p, r.stress);
-      speed = most(speed, point.signal(p, r, h_cell, strain_length));
-    });
+    each(
+        "start", KOKKOS_LAMBDA(const int p) { point.refresh(p); });
+  }
+
+  Signals signals(double h) const override {
+    const Point point = this->point();
+    const double strain_length = this->scheme.strain_length;
+    Signals s;
+    Kokkos::parallel_reduce(
+        "signals", range(),
+        KOKKOS_LAMBDA(const int p, double& fastest, double& in_matter) {
+          const Sym3 rate = strain_rate<G>(point.particles.matrix(point.particles.gradient, p));
+          const double rho = point.rho(p), c = point.material.sound_speed(rho, point.load(p));
+          const double signal = point.material.signal_speed(rate, rho, c, h);
+          double v = 0;
+          for (int d = 0; d < D; ++d) v = most(v, fabs(point.particles.velocity(p, d)));
+          in_matter = most(in_matter, finite(signal));
+          fastest = most(fastest, finite(most(v + signal, strain_length * fabs(trace(rate)))));
+        },
+        Kokkos::Max<double>(s.fastest), Kokkos::Max<double>(s.in_matter));
+    return {most(s.fastest, 0), most(s.in_matter, 0)};
   }
 
   void half_step(const Grid<G>& grid, double dt) override {
     const Point point = this->point();
     const Around around(grid);
-    Kokkos::parallel_for(
-        "half step", range(), KOKKOS_LAMBDA(const int p) {
+    each(
+        "half step", KOKKOS_LAMBDA(const int p) {
           const Strain in = point.strain(p, 0.5 * dt, around);
           History h = point.load(p);
-          const Response r = point.material.update(in, point.particles.template sigma<M::stress>(p), h);
+          const Response r =
+              point.material.update(in, point.particles.template sigma<M::stress>(p), h);
           point.particles.template set_sigma<M::stress>(p, r.stress);
         });
   }
 
-  double finish(const Grid<G>& grid, double dt) override {
+  void finish(double dt) override {
     const Point point = this->point();
-    const double h_cell = grid.lattice.h, strain_length = this->scheme.strain_length;
-    count_floors("energy below zero", KOKKOS_LAMBDA(const int p, int& count) {
-      const History h = point.load(p);
-      count += !(h.energy + point.particles.work(p, 0) >= 0);
-    });
-    return fastest("finish", KOKKOS_LAMBDA(const int p, double& speed) {
-      History h = point.load(p);
-      const Sym3 rate = strain_rate<G>(point.particles.matrix(point.particles.gradient, p));
-      point.particles.vol(p) *= point.growth(rate, dt);
-      h.energy = most(h.energy + point.particles.work(p, 0), 0);
-      const double rho = point.rho(p);
-      const Response r = point.material.state(rho, h);
-      point.particles.template set_sigma<M::stress>(p, r.stress);
-      point.save(p, h);
-      speed = most(speed, point.signal(p, r, h_cell, strain_length));
-    });
+    each(
+        "strain", KOKKOS_LAMBDA(const int p) {
+          const Sym3 rate = strain_rate<G>(point.particles.matrix(point.particles.gradient, p));
+          point.particles.vol(p) *= point.growth(rate, dt);
+        });
+    receive_energy("receive energy");
   }
 
-  double update(const Grid<G>& grid, double dt) override {
+  void update(const Grid<G>& grid, double dt) override {
     const Point point = this->point();
     const Around around(grid);
     const bool printed = this->scheme.printed_work;
-    const double strain_length = this->scheme.strain_length;
-    return fastest("update", KOKKOS_LAMBDA(const int p, double& speed) {
-      Strain in = point.strain(p, dt, around);
-      in.viscous_before = true;
-      if (printed) in.volume_change = trace(in.rate) * dt / in.rho1;
-      History h = point.load(p);
-      const Response r = point.material.update(in, point.particles.template sigma<M::stress>(p), h);
-      point.particles.vol(p) = point.particles.m(p) / in.rho1;
-      point.particles.template set_sigma<M::stress>(p, r.stress);
-      point.save(p, h);
-      speed = most(speed, point.signal(p, r, in.h, strain_length));
-    });
+    each(
+        "update", KOKKOS_LAMBDA(const int p) {
+          Strain in = point.strain(p, dt, around);
+          in.viscous_before = true;
+          if (printed) in.volume_change = trace(in.rate) * dt / in.rho1;
+          History h = point.load(p);
+          const Response r =
+              point.material.update(in, point.particles.template sigma<M::stress>(p), h);
+          point.particles.vol(p) = point.particles.m(p) / in.rho1;
+          point.particles.template set_sigma<M::stress>(p, r.stress);
+          point.save(p, h);
+        });
   }
 
   void correct_volume(double rate) override {
     const Point point = this->point();
-    each("correct volume", KOKKOS_LAMBDA(const int p) {
-      const double s = point.particles.scratch(p, 0), emptiness = point.particles.scratch(p, 1);
-      if (emptiness > 0 || !(s > 0)) return;
-      point.particles.vol(p) *= clamp(1 - rate * (1 - 1 / s), 0.7, 1.4);
-      point.refresh(p);
-    });
+    each(
+        "correct volume", KOKKOS_LAMBDA(const int p) {
+          const double s = point.particles.scratch(p, 0), emptiness = point.particles.scratch(p, 1);
+          if (emptiness > 0 || !(s > 0)) return;
+          point.particles.vol(p) *= clamp(1 - rate * (1 - 1 / s), 0.7, 1.4);
+          point.refresh(p);
+        });
   }
 
   void load_pressure() override {
     const Point point = this->point();
-    each("load pressure", KOKKOS_LAMBDA(const int p) {
-      point.particles.scratch(p, 0) = -point.particles.template sigma<M::stress>(p)[0];
-    });
+    each(
+        "load pressure", KOKKOS_LAMBDA(const int p) {
+          point.particles.scratch(p, 0) = -point.particles.template sigma<M::stress>(p)[0];
+        });
   }
 
   void propose_exchange(double rate, double dt, double h_cell) override {
     const Point point = this->point();
-    each("propose exchange", KOKKOS_LAMBDA(const int p) {
-      const History h = point.load(p);
-      const double pressure = point.pressure(p), smooth = point.smooth_pressure(p);
-      double z = 0;
-      if (pressure > 0) {
-        const double rho = point.rho(p), c = point.material.sound_speed(rho, h);
-        const double modulus = rho * c * c * smooth / pressure;
-        z = least(1, rate * dt * c / h_cell) * clamp((pressure - smooth) / modulus, -0.5, 1);
-      }
-      point.particles.scratch(p, 1) = z;
-    });
+    each(
+        "propose exchange", KOKKOS_LAMBDA(const int p) {
+          const History h = point.load(p);
+          const double pressure = point.pressure(p), smooth = point.smooth_pressure(p);
+          double z = 0;
+          if (pressure > 0) {
+            const double rho = point.rho(p), c = point.material.sound_speed(rho, h);
+            const double modulus = rho * c * c * smooth / pressure;
+            const double most_z = 0.3 * least(1, point.particles.m(p) * h.energy /
+                                                     (pressure * point.particles.vol(p)));
+            z = clamp(least(1, rate * dt * c / h_cell) * (pressure - smooth) / modulus, -most_z,
+                      most_z);
+          }
+          point.particles.scratch(p, 1) = z;
+        });
   }
 
   void exchange_volume() override {
     const Point point = this->point();
-    each("exchange volume", KOKKOS_LAMBDA(const int p) {
-      const History h = point.load(p);
-      const double inner = point.particles.m(p) * h.energy, volume = point.particles.vol(p);
-      const double gain = point.particles.scratch(p, 1) * volume;
-      point.particles.scratch(p, 0) = inner > 0 ? point.smooth_pressure(p) * gain / inner : 0;
-      point.particles.scratch(p, 1) = inner;
-      point.particles.vol(p) = volume + gain;
-    });
+    each(
+        "exchange volume", KOKKOS_LAMBDA(const int p) {
+          const History h = point.load(p);
+          const double inner = point.particles.m(p) * h.energy, volume = point.particles.vol(p);
+          const double gain = point.particles.scratch(p, 1) * volume;
+          point.particles.scratch(p, 0) = inner > 0 ? point.smooth_pressure(p) * gain / inner : 0;
+          point.particles.scratch(p, 1) = inner;
+          point.particles.vol(p) = volume + gain;
+        });
   }
 
   void exchange_energy() override {
     const Point point = this->point();
-    count_floors("exchange energy", KOKKOS_LAMBDA(const int p, int& count) {
-      History h = point.load(p);
-      const double left = 1 - point.particles.scratch(p, 0);
-      count += left < 0.2;
-      h.energy *= most(left, 0.2);
-      point.save(p, h);
-      point.refresh(p);
-    });
+    each(
+        "exchange energy", KOKKOS_LAMBDA(const int p) {
+          point.particles.work(p, 0) = -point.particles.scratch(p, 0) * point.load(p).energy;
+        });
+    receive_energy("receive exchange");
   }
 
   void load_heat(double rate, double dt) override {
     const Point point = this->point();
-    each("load heat", KOKKOS_LAMBDA(const int p) {
-      const double compression = -trace(point.particles.matrix(point.particles.gradient, p));
-      point.particles.scratch(p, 0) = point.load(p).energy;
-      point.particles.scratch(p, 1) = point.particles.m(p) * clamp(rate * dt * compression, 0, 0.5);
-    });
+    each(
+        "load heat", KOKKOS_LAMBDA(const int p) {
+          const double compression = -trace(point.particles.matrix(point.particles.gradient, p));
+          point.particles.scratch(p, 0) = point.load(p).energy;
+          point.particles.scratch(p, 1) =
+              point.particles.m(p) * clamp(rate * dt * compression, 0, 0.5);
+        });
   }
 
   void conduct() override {
     const Point point = this->point();
-    each("conduct", KOKKOS_LAMBDA(const int p) {
-      const double share = point.particles.scratch(p, 1) / point.particles.m(p);
-      if (!(share > 0)) return;
-      History h = point.load(p);
-      h.energy -= share * point.particles.scratch(p, 0);
-      point.save(p, h);
-      point.refresh(p);
-    });
+    each(
+        "conduct", KOKKOS_LAMBDA(const int p) {
+          const double share = point.particles.scratch(p, 1) / point.particles.m(p);
+          if (!(share > 0)) return;
+          History h = point.load(p);
+          h.energy -= share * point.particles.scratch(p, 0);
+          point.save(p, h);
+          point.refresh(p);
+        });
   }
 
   Totals totals(int begin, int end, double affine_inertia) const override;
@@ -191,7 +205,9 @@ class MaterialGroup final : public Group<G> {
     Table<double> smoothness;
     bool limited;
     explicit Around(const Grid<G>& grid)
-        : lattice(grid.lattice), smoothness(grid.smoothness), limited(grid.smoothness.extent(0) > 0) {}
+        : lattice(grid.lattice),
+          smoothness(grid.smoothness),
+          limited(grid.smoothness.extent(0) > 0) {}
   };
 
   /// The law and its particles, as kernels capture them.
@@ -208,24 +224,18 @@ class MaterialGroup final : public Group<G> {
       for (int k = 0; k < M::field_count; ++k) particles.history(p, k) = h.*(M::fields[k].member);
     }
     KOKKOS_INLINE_FUNCTION double rho(int p) const { return particles.m(p) / particles.vol(p); }
-    KOKKOS_INLINE_FUNCTION double pressure(int p) const { return -particles.template sigma<M::stress>(p)[0]; }
+    KOKKOS_INLINE_FUNCTION double pressure(int p) const {
+      return -particles.template sigma<M::stress>(p)[0];
+    }
     /// The pressure without the part that no node sees, which scratch column 0 holds.
     KOKKOS_INLINE_FUNCTION double smooth_pressure(int p) const {
-      return most(pressure(p) - particles.scratch(p, 0), 0.1 * pressure(p));
+      return clamp(pressure(p) - particles.scratch(p, 0), 0.5 * pressure(p), 2 * pressure(p));
     }
     KOKKOS_INLINE_FUNCTION void refresh(int p) const {
       particles.template set_sigma<M::stress>(p, material.state(rho(p), load(p)).stress);
     }
-    /// How fast news of this point travels over the grid, for the time step. [m/s]
-    KOKKOS_INLINE_FUNCTION double signal(int p, const Response& r, double h, double strain_length) const {
-      const Sym3 rate = strain_rate<G>(particles.matrix(particles.gradient, p));
-      double v = 0;
-      for (int d = 0; d < D; ++d) v = most(v, fabs(particles.velocity(p, d)));
-      v += material.signal_speed(rate, rho(p), r.sound_speed, h);
-      v = most(v, strain_length * fabs(trace(rate)));
-      return v < 1e300 ? v : 1e300;  // what is not a number must not be passed over by a maximum
-    }
-    /// 1 + tr D dt (A.16), bounded where a step overshoots; see largest volume change in the time step.
+    /// 1 + tr D dt (A.16), bounded where a step overshoots; see largest volume change in the time
+    /// step.
     KOKKOS_INLINE_FUNCTION static double growth(const Sym3& rate, double dt) {
       return most(1 + trace(rate) * dt, 0.1);
     }
@@ -237,29 +247,53 @@ class MaterialGroup final : public Group<G> {
       in.rho1 = in.rho0 / growth(in.rate, dt);
       in.volume_change = 1 / in.rho1 - 1 / in.rho0;
       in.h = around.lattice.h;
-      if (around.limited) in.smoothness = around.smoothness(around.lattice.cell_of(particles.x(p)), 0);
+      if (around.limited)
+        in.smoothness = around.smoothness(around.lattice.cell_of(particles.x(p)), 0);
       return in;
     }
   };
 
   Point point() const { return {material, this->particles}; }
-  Kokkos::RangePolicy<Space> range() const { return Kokkos::RangePolicy<Space>(0, this->particles.count); }
+  Kokkos::RangePolicy<Space> range() const {
+    return Kokkos::RangePolicy<Space>(0, this->particles.count);
+  }
 
   template <class F>
   void each(const char* name, const F& f) {
     Kokkos::parallel_for(name, range(), f);
   }
-  template <class F>
-  double fastest(const char* name, const F& f) {
-    double speed = 0;
-    Kokkos::parallel_reduce(name, range(), f, Kokkos::Max<double>(speed));
-    return most(speed, 0);
+  /// Infinity for what is not a number, which a maximum would pass over.
+  KOKKOS_INLINE_FUNCTION static double finite(double speed) {
+    return speed < 1e300 ? speed : 1e300;
   }
-  template <class F>
-  void count_floors(const char* name, const F& f) {
-    int count = 0;
-    Kokkos::parallel_reduce(name, range(), f, count);
-    this->floors += count;
+
+  /// Adds the work column [J/kg] to the energies and sets the stress. No energy falls below a fifth
+  /// of what it was in one go: what a particle lacks for that, the others of its bin give, in
+  /// proportion to what they can spare.
+  void receive_energy(const char* name) {
+    const Point point = this->point();
+    const auto first = point.particles.first;
+    int held = 0;
+    Kokkos::parallel_reduce(
+        name, Kokkos::RangePolicy<Space>(0, static_cast<int>(first.extent(0)) - 2),
+        KOKKOS_LAMBDA(const int bin, int& sum) {
+          double lacking = 0, spare = 0;
+          for (int p = first(bin); p < first(bin + 1); ++p) {
+            const double e = point.load(p).energy, margin = 0.8 * e + point.particles.work(p, 0);
+            (margin < 0 ? lacking : spare) += point.particles.m(p) * fabs(margin);
+          }
+          const double share = lacking > 0 ? (spare > lacking ? lacking / spare : 1) : 0;
+          sum += lacking > spare;
+          for (int p = first(bin); p < first(bin + 1); ++p) {
+            History h = point.load(p);
+            const double margin = 0.8 * h.energy + point.particles.work(p, 0);
+            h.energy = 0.2 * h.energy + (margin < 0 ? 0 : margin * (1 - share));
+            point.save(p, h);
+            point.refresh(p);
+          }
+        },
+        held);
+    this->floors += held;
   }
 };
 
@@ -280,7 +314,8 @@ Totals MaterialGroup<G, M>::totals(int begin, int end, double affine_inertia) co
           const Vec<D> v = point.particles.v(p);
           double twice = dot(v, v);
           if (affine)
-            for (int k = 0; k < D * D; ++k) twice += affine_inertia * square(point.particles.affine(p, k));
+            for (int k = 0; k < D * D; ++k)
+              twice += affine_inertia * square(point.particles.affine(p, k));
           for (int d = 0; d < D; ++d) sum[d] += m * v[d];
           sum[D] += m;
           sum[D + 1] += 0.5 * m * twice;

@@ -1,11 +1,11 @@
 #pragma once
-// The contract between a material law and the method. A law is a plain struct that works on plain numbers for one
-// point, so that it can be tested without a mesh. It has
-//   name, stress, fluid         what the input calls it; pressure or tensor; whether density and energy are its state
-//   History, fields             its state variables, and their names and units for output and restart
-//   update(Strain, old, history)  stress and state at the end of a strain increment
-//   state(rho, history)           fluids: the stress that belongs to a density and its history
-//   signal_speed(rate, rho, c, h)  what limits the time step: sound and viscosities [m/s]
+// The contract between a material law and the method. A law is a plain struct that works on plain
+// numbers for one point, so that it can be tested without a mesh. It has
+//   name, stress, fluid         what the input calls it; pressure or tensor; whether density and
+//   energy are its state History, fields             its state variables, and their names and units
+//   for output and restart update(Strain, old, history)  stress and state at the end of a strain
+//   increment state(rho, history)           fluids: the stress that belongs to a density and its
+//   history signal_speed(rate, rho, c, h)  what limits the time step: sound and viscosities [m/s]
 //   energy(history)               specific internal energy [J/kg]
 // and, on the host, valid_parameters() and a constructor from the checked list.
 #include "core/particles.hpp"
@@ -15,19 +15,20 @@ namespace brisance {
 
 /// What happens to a point in a step.
 struct Strain {
-  Sym3 rate;                   ///< rate of deformation [1/s]
-  double dt = 0;               ///< [s]
-  double rho0 = 0, rho1 = 0;   ///< density before and after [kg/m^3]
-  double volume_change = 0;    ///< change of specific volume that pressure works on [m^3/kg]
-  double h = 0;                ///< cell size, over which shocks are spread [m]
-  double smoothness = 0;       ///< 1 where the flow around is smooth, 0 in a shock [-]
-  bool viscous_before = false; ///< whether the stress before the step holds viscous parts (MUSL) or is of rest
+  Sym3 rate;                  ///< rate of deformation [1/s]
+  double dt = 0;              ///< [s]
+  double rho0 = 0, rho1 = 0;  ///< density before and after [kg/m^3]
+  double volume_change = 0;   ///< change of specific volume that pressure works on [m^3/kg]
+  double h = 0;               ///< cell size, over which shocks are spread [m]
+  double smoothness = 0;      ///< 1 where the flow around is smooth, 0 in a shock [-]
+  bool viscous_before =
+      false;  ///< whether the stress before the step holds viscous parts (MUSL) or is of rest
 };
 
 /// What a law answers.
 struct Response {
-  Sym3 stress;              ///< tension positive [Pa]
-  double sound_speed = 0;   ///< [m/s]
+  Sym3 stress;             ///< tension positive [Pa]
+  double sound_speed = 0;  ///< [m/s]
 };
 
 /// One state variable of a law.

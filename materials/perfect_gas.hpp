@@ -8,7 +8,8 @@ class ParameterList;
 
 namespace brisance {
 
-/// An equation of state, linear in the specific energy at a given density: p = offset(rho) + slope(rho) e.
+/// An equation of state, linear in the specific energy at a given density: p = offset(rho) +
+/// slope(rho) e.
 struct PerfectGas {
   static constexpr const char* name = "perfect gas";
 
@@ -21,8 +22,11 @@ struct PerfectGas {
   KOKKOS_INLINE_FUNCTION double offset(double) const { return 0; }
   KOKKOS_INLINE_FUNCTION double slope(double rho) const { return (gamma - 1) * rho; }
   /// Square of the sound speed. [m^2/s^2]
-  KOKKOS_INLINE_FUNCTION double sound_speed2(double, double e) const { return gamma * (gamma - 1) * e; }
-  /// Half the slope of the shock speed over the jump in velocity, s/2 = (gamma + 1)/4 (Kurapatenko). [-]
+  KOKKOS_INLINE_FUNCTION double sound_speed2(double, double e) const {
+    return gamma * (gamma - 1) * e;
+  }
+  /// Half the slope of the shock speed over the jump in velocity, s/2 = (gamma + 1)/4
+  /// (Kurapatenko). [-]
   KOKKOS_INLINE_FUNCTION double shock_slope() const { return 0.25 * (gamma + 1); }
 };
 

@@ -27,8 +27,8 @@ List valid_material(const List& given, const List& shock) {
   add_parameters(Fluids{}, peek<std::string>(given, valid, "law"), valid);
   declare_optional_list(valid, "viscosity", "Newtonian viscosity; absent: inviscid") =
       Newtonian::valid_parameters();
-  declare_optional_list(valid, "artificial viscosity", "in place of the scheme's, for this material") =
-      shock;
+  declare_optional_list(valid, "artificial viscosity",
+                        "in place of the scheme's, for this material") = shock;
   return valid;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-// Which materials there are. To add a fluid, write its equation of state (see perfect_gas) and add it to Fluids.
+// Which materials there are. To add a fluid, write its equation of state (see perfect_gas) and add
+// it to Fluids.
 #include <memory>
 #include <string>
 #include <vector>
@@ -22,8 +23,8 @@ std::vector<std::string> law_names();
 /// "artificial viscosity". `shock` is the schema of the latter, with the defaults of the scheme.
 List valid_material(const List& given, const List& shock);
 
-/// An empty group of the material of a checked list; `shock` is what the scheme sets for materials without a list of
-/// their own.
+/// An empty group of the material of a checked list; `shock` is what the scheme sets for materials
+/// without a list of their own.
 template <class G>
 std::unique_ptr<Group<G>> make_group(const List& checked, const List& shock);
 

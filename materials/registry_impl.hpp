@@ -1,5 +1,6 @@
 #pragma once
-// From the names of a checked list to the type of a group; included by the files that instantiate one geometry.
+// From the names of a checked list to the type of a group; included by the files that instantiate
+// one geometry.
 #include <Teuchos_ParameterList.hpp>
 #include <stdexcept>
 

@@ -1,4 +1,4 @@
-"""Tells what ParaView makes of the series particles.pvd and grid.pvd of a folder, and takes a picture of each.
+"""Tells what ParaView makes of the series particles.pvd and grid.pvd of a folder, with pictures.
 
 xvfb-run -a pvbatch paraview_check.py DIR
 """
@@ -13,8 +13,10 @@ from paraview.simple import (
 def ranges(kind, information):
     for k in range(information.GetNumberOfArrays()):
         array = information.GetArray(k)
-        limits = [limit for c in range(array.GetNumberOfComponents()) for limit in array.GetRange(c)]
-        print(" ", kind, array.GetName(), *limits)
+        print(" ", kind, array.GetName(), end="")
+        for component in range(array.GetNumberOfComponents()):
+            print("", *array.GetRange(component), end="")
+        print()
 
 
 def describe(folder, name):
@@ -24,8 +26,9 @@ def describe(folder, name):
     for time in source.TimestepValues:
         source.UpdatePipeline(time)
         data = source.GetDataInformation()
-        print(name, "time", time, "points", data.GetNumberOfPoints(), "cells", data.GetNumberOfCells())
-        if data.GetNumberOfPoints() > 0:
+        points, cells = data.GetNumberOfPoints(), data.GetNumberOfCells()
+        print(name, "time", time, "points", points, "cells", cells)
+        if points > 0:
             print("  bounds", *data.GetBounds())
             ranges("point", source.PointData)
             ranges("cell", source.CellData)
