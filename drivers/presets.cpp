@@ -35,6 +35,7 @@ Preset preset(const std::string& name, int dim) {
     p.shape = "quadratic";
     p.transfer = "MLS";
     p.quadrature = "particle";
+    p.cfl = 0.4;
     return p;
   }
   throw std::logic_error("no preset '" + name + "'");

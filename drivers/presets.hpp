@@ -17,7 +17,7 @@ struct Preset {
   double volume_relaxation = 0.15, pressure_relaxation = 1, heat_conduction = 1, split_length = 0.5;
   // artificial viscosity
   std::string viscosity = "Kurapatenko";
-  double quadratic = 1, linear = 0.75, expansion = 0.25, limiter = 1;
+  double quadratic = 1, linear = 0.85, expansion = 0.25, limiter = 1;
   // time step
   double cfl = 0.8, largest_volume_change = 0.5;
 };

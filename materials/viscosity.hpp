@@ -56,7 +56,7 @@ struct NoShockViscosity {
 struct ShockViscosity {
   enum class Form { von_neumann_richtmyer, kurapatenko };
   Form form = Form::kurapatenko;
-  double c0 = 1, c1 = 0.75, ce = 0.25;
+  double c0 = 1, c1 = 0.85, ce = 0.25;
   double limiter = 1;  ///< share of the linear terms taken away in smooth flow [-]
 
   ShockViscosity() = default;
