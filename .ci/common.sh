@@ -36,7 +36,7 @@ reason() {
     *"Failed to fetch"* | *"Unable to fetch"*)
       echo "the package server cannot be reached: connect to the network ($1)" ;;
     *"Killed signal"*) echo "the memory is too small: close other programs ($1)" ;;
-    *) echo "$(grep -iE '^E:|error|undefined reference' "$1" | head -n 1 | cut -c1-200) ($1)" ;;
+    *) echo "$(grep -E '^E:|rror: |undefined reference' "$1" | head -n 1 | cut -c1-200) ($1)" ;;
   esac
 }
 

@@ -51,8 +51,9 @@ KOKKOS_INLINE_FUNCTION bool flips(Side side, int c, int d) {
 
 template <int D>
 Vec<D> fold(const Table<double>& sums, int vectors, int columns, const Lattice<D>& lattice,
-            const Boundaries<D>& boundaries) {
+            const Boundaries<D>& boundaries, const Table<double>& image_mass) {
   Vec<D> swallowed;
+  const bool keep_mass = image_mass.extent(0) > 0;
   for (int d = 0; d < D; ++d) {
     const Images list = images(lattice, boundaries, d);
     if (list.count == 0) continue;
@@ -71,16 +72,48 @@ Vec<D> fold(const Table<double>& sums, int vectors, int columns, const Lattice<D
     }
     Kokkos::parallel_for(
         "fold halo", Kokkos::RangePolicy<Space>(0, plane.nodes), KOKKOS_LAMBDA(const int k) {
-          for (int i = 0; i < list.count; ++i)
+          for (int i = 0; i < list.count; ++i) {
+            if (keep_mass && list.side[i] != Side::periodic)
+              image_mass(plane.node(k, list.halo[i]), d) =
+                  sums(plane.node(k, list.halo[i]), vectors);
             for (int c = 0; c < columns; ++c) {
               double& ghost = sums(plane.node(k, list.halo[i]), c);
               const bool flip = c < vectors && flips(list.side[i], c, d);
               sums(plane.node(k, list.real[i]), c) += flip ? -ghost : ghost;
               ghost = 0;
             }
+          }
         });
   }
   return swallowed;
+}
+
+template <int D>
+Vec<D> image_momentum(const Table<double>& velocity, const Table<double>& image_mass,
+                      const Lattice<D>& lattice, const Boundaries<D>& boundaries) {
+  Vec<D> momentum;
+  if (image_mass.extent(0) == 0) return momentum;
+  for (int d = 0; d < D; ++d) {
+    const Images list = images(lattice, boundaries, d);
+    const Plane<D> plane(lattice, d);
+    for (int c = 0; c < D; ++c) {
+      bool any = false;
+      for (int i = 0; i < list.count; ++i) any = any || flips(list.side[i], c, d);
+      if (!any) continue;
+      double excess = 0;
+      Kokkos::parallel_reduce(
+          "image momentum", Kokkos::RangePolicy<Space>(0, plane.nodes),
+          KOKKOS_LAMBDA(const int k, double& sum) {
+            for (int i = 0; i < list.count; ++i) {
+              const int n = plane.node(k, list.halo[i]);
+              if (flips(list.side[i], c, d)) sum += 2 * image_mass(n, d) * velocity(n, c);
+            }
+          },
+          excess);
+      momentum[c] += excess;
+    }
+  }
+  return momentum;
 }
 
 template <int D>
@@ -151,12 +184,14 @@ void fill_cells(const Table<double>& field, int columns, int column, double beyo
   }
 }
 
-#define BRISANCE_BOUNDARY(D)                                                                      \
-  template Vec<D> fold<D>(const Table<double>&, int, int, const Lattice<D>&,                      \
-                          const Boundaries<D>&);                                                  \
-  template Vec<D> constrain<D>(const Table<double>&, const Lattice<D>&, const Boundaries<D>&);    \
-  template void fill<D>(const Table<double>&, int, int, const Lattice<D>&, const Boundaries<D>&); \
-  template void fill_cells<D>(const Table<double>&, int, int, double, const Lattice<D>&,          \
+#define BRISANCE_BOUNDARY(D)                                                                       \
+  template Vec<D> fold<D>(const Table<double>&, int, int, const Lattice<D>&, const Boundaries<D>&, \
+                          const Table<double>&);                                                   \
+  template Vec<D> image_momentum<D>(const Table<double>&, const Table<double>&, const Lattice<D>&, \
+                                    const Boundaries<D>&);                                         \
+  template Vec<D> constrain<D>(const Table<double>&, const Lattice<D>&, const Boundaries<D>&);     \
+  template void fill<D>(const Table<double>&, int, int, const Lattice<D>&, const Boundaries<D>&);  \
+  template void fill_cells<D>(const Table<double>&, int, int, double, const Lattice<D>&,           \
                               const Boundaries<D>&);
 BRISANCE_BOUNDARY(1)
 BRISANCE_BOUNDARY(2)

@@ -33,6 +33,14 @@ struct Boundaries {
     return x;
   }
 
+  /// Whether shapes reach over walls that mirror them.
+  bool images_beyond_walls() const {
+    bool walls = false;
+    for (int d = 0; d < D; ++d)
+      for (const Side s : side[d]) walls = walls || s == Side::wall || s == Side::fixed;
+    return walls && mirrors;
+  }
+
   /// A node on a wall stands for half a cell.
   KOKKOS_INLINE_FUNCTION double nodal_volume(const Lattice<D>& lattice, int node) const {
     int i[D];
@@ -49,10 +57,18 @@ struct Boundaries {
 
 /// Adds what the halo has received to the nodes it stands for. The first `vectors` columns are
 /// components of a vector, those up to `columns` scalars. Returns the momentum that mirror images
-/// have swallowed.
+/// have swallowed. `image_mass`, unless empty, receives for each direction the mass (column
+/// `vectors`) that was found at the nodes beyond its walls.
 template <int D>
 Vec<D> fold(const Table<double>& sums, int vectors, int columns, const Lattice<D>& lattice,
-            const Boundaries<D>& boundaries);
+            const Boundaries<D>& boundaries, const Table<double>& image_mass = {});
+
+/// By how much the momentum that particles gather from a nodal velocity, sum m N v, exceeds that of
+/// the nodes: beyond a wall they meet the mirror image, -v, where fold has counted their mass with
+/// v. Zero without images.
+template <int D>
+Vec<D> image_momentum(const Table<double>& velocity, const Table<double>& image_mass,
+                      const Lattice<D>& lattice, const Boundaries<D>& boundaries);
 
 /// Zeroes the constrained components of a nodal momentum or force (columns 0 .. D-1) and returns
 /// their sum.

@@ -47,6 +47,7 @@ struct Grid {
   Table<double> before;            ///< velocity at the start of the step [m/s]; column D: mass [kg]
   Table<double> after;             ///< velocity at its end [m/s]
   std::vector<Table<double>> own;  ///< like `before`, of one class each; one class: the same table
+  std::vector<Table<double>> image_mass;  ///< of each class, beyond walls: see fold() [kg]
   Table<double>
       cell;  ///< mean strain rate along each direction [1/s]; column D: filled volume [m^D]
   Table<double> scale;       ///< by what the volumes in a cell are scaled to fill it [-]
@@ -63,6 +64,9 @@ struct Grid {
     else
       for (int c = 0; c < needs.classes; ++c)
         own.emplace_back("class velocity", lattice.size, D + 1);
+    image_mass.resize(needs.classes);
+    if (boundaries.images_beyond_walls())
+      for (auto& mass : image_mass) mass = Table<double>("image mass", lattice.size, D);
     if (needs.quadrature || needs.limiter) cell = Table<double>("cell", lattice.size, D + 1);
     if (needs.quadrature) scale = Table<double>("scale", lattice.size, 1);
     if (needs.limiter) smoothness = Table<double>("smoothness", lattice.size, 1);
@@ -72,6 +76,7 @@ struct Grid {
   std::size_t bytes() const {
     std::size_t doubles =
         before.span() + after.span() + cell.span() + scale.span() + smoothness.span();
+    for (const auto& mass : image_mass) doubles += mass.span();
     if (own.size() > 1)
       for (const auto& field : own) doubles += field.span();
     return doubles * sizeof(double);

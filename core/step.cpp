@@ -88,7 +88,7 @@ class Step {
       for (auto& g : s.groups)
         if (g->velocity_class == static_cast<int>(c))
           g->transfer->scatter_momentum(g->particles, s.grid.lattice, s.sums);
-      s.stopped[c] = collect(D + 1);
+      s.stopped[c] = collect(D + 1, s.grid.image_mass[c]);
       const auto own = s.grid.own[c], total = s.sums.total;
       Kokkos::parallel_for(
           "nodal velocity", nodes(), KOKKOS_LAMBDA(const int n) {
@@ -97,6 +97,7 @@ class Step {
             for (int d = 0; d < D; ++d) own(n, d) = m > 0 ? total(n, d) / m : 0;
           });
       fill(own, D, D + 1, s.grid.lattice, s.grid.boundaries);
+      s.stopped[c] = difference(s.stopped[c], images(own, c));
     }
     if (s.grid.own.size() > 1) share_velocity();
   }
@@ -135,6 +136,7 @@ class Step {
     s.sums.clear();
     for (auto& g : s.groups) g->transfer->scatter_force(g->particles, s.grid, g->stress(), s.sums);
     push_walls(collect(D), dt);
+    for (std::size_t c = 0; c < s.grid.own.size(); ++c) push_walls(images(s.grid.before, c), 1);
     const auto before = s.grid.before, after = s.grid.after, force = s.sums.total;
     const double step = dt;
     Kokkos::parallel_for(
@@ -144,16 +146,26 @@ class Step {
             after(n, d) = before(n, d) + (m > 0 ? step * force(n, d) / m : 0);
         });
     fill(after, D, D, s.grid.lattice, s.grid.boundaries);
+    for (std::size_t c = 0; c < s.grid.own.size(); ++c) push_walls(images(after, c), -1);
   }
 
   /// Sums of all threads, ranks and mirror images. Returns what walls have stopped.
-  Vec<D> collect(int columns) {
+  Vec<D> collect(int columns, const Table<double>& image_mass = {}) {
     s.sums.contribute();
     others.sum(s.sums);
-    Vec<D> stopped = fold(s.sums.total, D, columns, s.grid.lattice, s.grid.boundaries);
+    Vec<D> stopped = fold(s.sums.total, D, columns, s.grid.lattice, s.grid.boundaries, image_mass);
     const Vec<D> held = constrain(s.sums.total, s.grid.lattice, s.grid.boundaries);
     for (int d = 0; d < D; ++d) stopped[d] += held[d];
     return stopped;
+  }
+
+  Vec<D> images(const Table<double>& velocity, std::size_t c) const {
+    return image_momentum(velocity, s.grid.image_mass[c], s.grid.lattice, s.grid.boundaries);
+  }
+
+  static Vec<D> difference(Vec<D> a, const Vec<D>& b) {
+    for (int d = 0; d < D; ++d) a[d] -= b[d];
+    return a;
   }
 
   void push_walls(const Vec<D>& momentum, double share) {

@@ -6,6 +6,7 @@
 
 #include "drivers/input.hpp"
 #include "drivers/run.hpp"
+#include "drivers/runtime.hpp"
 #include "drivers/scene.hpp"
 
 namespace brisance {
@@ -25,8 +26,9 @@ List load_scene(const SceneRequest& request) {
   }
 }
 
-int run_command(const SceneRequest& request, const std::string& folder) {
+int run_command(const SceneRequest& request, const std::string& folder, int threads) {
   const List scene = load_scene(request);
+  const Runtime runtime(threads > 0 ? threads : threads_for(scene));
   RunOptions options;
   options.folder = folder.empty() ? "out/" + scene.name() : folder;
   const RunResult result = run(scene, options);

@@ -1,6 +1,7 @@
 #pragma once
 // What the program can be asked to do. Each returns the exit status: 0 all well, 1 a limit missed
-// or nothing done, 2 bad input (thrown as InputError), 130 stopped by the user.
+// or nothing done, 2 bad input (thrown as InputError), 130 stopped by the user. `threads`: -1 for
+// as many as pay.
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -19,9 +20,9 @@ struct SceneRequest {
 /// The complete scene; its name is that of the file. Throws InputError with file and line.
 List load_scene(const SceneRequest& request);
 
-int run_command(const SceneRequest& request, const std::string& folder);
-int verify_command(const std::vector<std::string>& files, const std::string& folder);
-int check_command(const SceneRequest& request);
+int run_command(const SceneRequest& request, const std::string& folder, int threads);
+int verify_command(const std::vector<std::string>& files, const std::string& folder, int threads);
+int check_command(const SceneRequest& request, int threads);
 int describe_command(const std::string& name);
 int export_command(const std::string& folder, const std::string& csv, double time);
 int plot_command(const std::string& folder);

@@ -9,6 +9,7 @@
 #include "drivers/input.hpp"
 #include "drivers/kernels.hpp"
 #include "drivers/presets.hpp"
+#include "drivers/runtime.hpp"
 #include "drivers/scene.hpp"
 #include "drivers/simulation.hpp"
 #include "materials/registry.hpp"
@@ -22,7 +23,7 @@ List example_scene() {
   scene.set("geometry", "plane strain");
   scene.sublist("materials").sublist("NAME").set("law", law_names().front());
   scene.sublist("bodies").sublist("NAME").set("material", "NAME");
-  scene.sublist("exact").set("solution", exact_solutions().front());
+  scene.sublist("exact").set("solution", "uniform").set("gamma", 1.4);
   return scene;
 }
 
@@ -63,13 +64,15 @@ int describe_command(const std::string& name) {
   return 0;
 }
 
-int check_command(const SceneRequest& request) {
+int check_command(const SceneRequest& request, int threads) {
   const List scene = load_scene(request);
+  const Runtime runtime(threads > 0 ? threads : threads_for(scene));
   const List* exact_list = find_list(scene, "exact");
   const auto exact = exact_list ? make_exact(*exact_list) : nullptr;
   const auto simulation = make_simulation(scene, exact.get());
   const double end = get<double>(scene.sublist("time"), "end");
   const double steps = std::ceil(end / simulation->dt());
+  simulation->advance(end);  // the first step's beginning is part of setting up
   const auto kernels = kernels_of([&] { simulation->advance(end); });
   const Footprint f = simulation->footprint();
 

@@ -3,9 +3,7 @@
 #include <csignal>
 #include <cstdio>
 
-#include "core/types.hpp"
 #include "drivers/commands.hpp"
-#include "drivers/fpe.hpp"
 #include "drivers/run.hpp"
 #include "version.hpp"
 
@@ -39,7 +37,8 @@ int main(int argc, char** argv) {
   double time = -1;
   int threads = -1;
   const auto add_threads = [&](CLI::App* command) {
-    command->add_option("--threads", threads, "threads (default: all)")->check(CLI::Range(1, 4096));
+    command->add_option("--threads", threads, "threads (default: as many as pay)")
+        ->check(CLI::Range(1, 4096));
   };
 
   CLI::App* run_ = app.add_subcommand("run", "run a scene");
@@ -78,13 +77,11 @@ int main(int argc, char** argv) {
 
   std::signal(SIGINT, [](int) { request_stop(); });
   std::signal(SIGTERM, [](int) { request_stop(); });
-  initialize_kokkos(threads);
-  trap_floating_point_errors();
   int status = 0;
   try {
-    if (*run_) status = run_command(scene, folder);
-    if (*verify) status = verify_command(files, folder);
-    if (*check_) status = check_command(scene);
+    if (*run_) status = run_command(scene, folder, threads);
+    if (*verify) status = verify_command(files, folder, threads);
+    if (*check_) status = check_command(scene, threads);
     if (*describe_) status = describe_command(name);
     if (*export_) status = export_command(folder, csv, time);
     if (*plot) status = plot_command(folder);
@@ -95,6 +92,5 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "brisance: %s\n", error.what());
     status = 1;
   }
-  Kokkos::finalize();
   return status;
 }

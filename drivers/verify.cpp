@@ -6,6 +6,7 @@
 #include "drivers/commands.hpp"
 #include "drivers/locations.hpp"
 #include "drivers/run.hpp"
+#include "drivers/runtime.hpp"
 
 namespace brisance {
 namespace {
@@ -84,7 +85,8 @@ void verify_convergence(const List& scene, const List& convergence, VerdictTable
 
 }  // namespace
 
-int verify_command(const std::vector<std::string>& files, const std::string& folder) {
+int verify_command(const std::vector<std::string>& files, const std::string& folder, int threads) {
+  const Runtime runtime(threads);
   std::vector<std::string> scenes = files;
   if (scenes.empty())
     for (const auto& entry : std::filesystem::directory_iterator(data_folder() / "inputs"))

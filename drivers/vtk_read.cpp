@@ -48,6 +48,7 @@ std::vector<ReadColumn> read_vtp(const std::filesystem::path& path) {
   const auto underscore = file.find('_', appended == std::string::npos ? 0 : appended);
   if (appended == std::string::npos || underscore == std::string::npos)
     throw fail("it has no appended data");
+  if (file.find("</AppendedData>", underscore) == std::string::npos) throw fail("it is cut off");
   const std::string head = file.substr(0, appended);
   const std::size_t data = underscore + 1;
 

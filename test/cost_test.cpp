@@ -1,0 +1,195 @@
+// Model only what the scene requires: the kernels that a step launches and the bytes that a
+// particle takes are listed here in full. Who adds a kernel or a column says so in this file.
+#include <gtest/gtest.h>
+
+#include <Teuchos_ParameterList.hpp>
+#include <map>
+#include <set>
+
+#include "drivers/kernels.hpp"
+#include "test/state.hpp"
+
+namespace brisance {
+namespace {
+
+using Names = std::set<std::string>;
+using Columns = std::map<std::string, double>;
+
+struct Cost {
+  std::map<std::string, int> kernels;
+  Columns columns;
+
+  bool launches(const std::string& kernel) const { return kernels.count(kernel) > 0; }
+  Names names() const {
+    Names all;
+    for (const auto& [name, launches] : kernels) all.insert(name);
+    return all;
+  }
+  double bytes() const {
+    double sum = 0;
+    for (const auto& [name, b] : columns) sum += b;
+    return sum;
+  }
+};
+
+/// Of a step of a tube that neither splits nor is at rest.
+Cost cost_of(int dim, const std::vector<std::string>& assignments) {
+  std::vector<std::string> a = {"bodies/first/pressure=2"};
+  a.insert(a.end(), assignments.begin(), assignments.end());
+  const auto simulation = make_simulation(test::scene(dim, a), nullptr);
+  simulation->advance(1);
+  Cost cost;
+  for (const auto& [name, launches] : kernels_of([&] { simulation->advance(1); }))
+    if (name.compare(0, 8, "Kokkos::") != 0)  // filling and summing views, named by the library
+      cost.kernels[name] = launches;
+  for (const auto& column : simulation->footprint().columns)
+    cost.columns[column.name] = column.bytes;
+  return cost;
+}
+
+const Names sorting = {"find bins", "count bins", "places of bins", "order of particles",
+                       "out of place"};
+
+Names operator+(Names a, const Names& b) {
+  a.insert(b.begin(), b.end());
+  return a;
+}
+Names operator-(Names a, const Names& b) {
+  for (const auto& name : b) a.erase(name);
+  return a;
+}
+
+// In the second step no particle changes its cell, so nothing is permuted.
+const Names permuting = {"permute", "permute back"};
+
+TEST(Cost, OfPaperOnALineIsTheStepOfAppendixA) {
+  const Cost cost = cost_of(1, {"preset=paper"});
+  EXPECT_EQ(
+      cost.names() - permuting,
+      (sorting + Names{"scatter momentum", "hold wall", "nodal velocity", "signals",
+                       "scatter force", "move grid", "accelerate", "gradient and move", "update"}));
+  EXPECT_EQ(cost.kernels.at("scatter momentum"), 2);  // (A.2) and (A.11)
+  EXPECT_EQ(cost.kernels.at("scatter force"), 1);
+  EXPECT_EQ(cost.columns, (Columns{{"position", 8},
+                                   {"velocity", 8},
+                                   {"gradient", 8},
+                                   {"mass", 8},
+                                   {"volume", 8},
+                                   {"stress", 8},
+                                   {"history", 8},
+                                   {"id", 8}}));
+  EXPECT_EQ(cost.bytes(), 64);
+}
+
+TEST(Cost, OfBalancedInThePlaneIsThis) {
+  const Cost cost = cost_of(2, {"preset=balanced"});
+  EXPECT_EQ(
+      cost.names() - permuting,
+      (sorting +
+       Names{"scatter momentum", "hold wall", "nodal velocity", "gather gradient", "signals",
+             // cells: volumes to fill them, and the limiter
+             "scatter cells", "average cells", "fill halo cells", "scale cells", "limit cells",
+             // the midpoint
+             "half step", "scatter force", "move grid", "finish midpoint", "strain",
+             "receive energy", "count parts",
+             // relaxations
+             "scatter mean", "gather scalar", "nodal mean", "fullness", "correct volume",
+             "load pressure", "propose exchange", "exchange volume", "exchange energy",
+             "receive exchange", "load heat", "conduct"}));
+  EXPECT_EQ(cost.kernels.at("scatter momentum"), 1);
+  EXPECT_EQ(cost.kernels.at("scatter force"), 1);
+  EXPECT_EQ(cost.columns, (Columns{{"position", 16},
+                                   {"velocity", 16},
+                                   {"gradient", 32},
+                                   {"mass", 8},
+                                   {"volume", 8},
+                                   {"stress", 8},
+                                   {"history", 8},
+                                   {"extent", 16},
+                                   {"work", 8},
+                                   {"scratch", 16},
+                                   {"id", 8}}));
+  EXPECT_EQ(cost.bytes(), 144);
+}
+
+TEST(Cost, OfAffineMotionIsOneMatrix) {
+  const Cost plain = cost_of(
+                 2, {"preset=balanced", "scheme/shape=quadratic", "scheme/quadrature=particle"}),
+             affine = cost_of(2, {"preset=accurate"});
+  EXPECT_EQ(affine.bytes() - plain.bytes(), 32);
+  EXPECT_EQ(affine.columns.at("affine"), 32);
+  EXPECT_EQ(affine.names() - permuting, plain.names() - permuting);
+}
+
+TEST(Cost, OfTensorsIsPaidByViscousMaterialsOnly) {
+  const Cost viscous = cost_of(1, {"materials/gas/viscosity/shear=0.001"});
+  EXPECT_EQ(viscous.columns.at("stress"), 48);
+  EXPECT_TRUE(viscous.launches("scatter tensor force"));
+  EXPECT_FALSE(viscous.launches("scatter force"));
+  const Cost inviscid = cost_of(1, {});
+  EXPECT_EQ(inviscid.columns.at("stress"), 8);
+  EXPECT_FALSE(inviscid.launches("scatter tensor force"));
+}
+
+TEST(Cost, OfWhatIsNotAskedForIsNothing) {
+  const Cost all = cost_of(2, {});
+  const auto without = [](const std::vector<std::string>& a) { return cost_of(2, a); };
+
+  // Viscosity and limiter: the cells are still needed for the quadrature, their smoothness is not.
+  for (const char* off :
+       {"scheme/artificial viscosity/form=none", "scheme/artificial viscosity/limiter=0"})
+    EXPECT_EQ(all.names() - without({off}).names() - permuting, Names{"limit cells"}) << off;
+
+  EXPECT_EQ(all.names() - without({"scheme/quadrature=particle"}).names() - permuting,
+            Names{"scale cells"});
+  const Cost no_cells =
+      without({"scheme/quadrature=particle", "scheme/artificial viscosity/limiter=0"});
+  for (const char* kernel :
+       {"scatter cells", "average cells", "scale cells", "limit cells", "fill halo cells"}) {
+    EXPECT_TRUE(all.launches(kernel));
+    EXPECT_FALSE(no_cells.launches(kernel)) << kernel;
+  }
+
+  const Cost whole = without({"scheme/split length=0"});
+  EXPECT_EQ(all.names() - whole.names() - permuting, Names{"count parts"});
+  EXPECT_EQ(all.bytes() - whole.bytes(), 16);  // extents
+
+  EXPECT_EQ(all.names() - without({"scheme/heat conduction=0"}).names() - permuting,
+            (Names{"load heat", "conduct"}));
+  EXPECT_EQ(all.names() - without({"scheme/volume relaxation=0"}).names() - permuting,
+            (Names{"fullness", "correct volume"}));
+  EXPECT_EQ(all.names() - without({"scheme/pressure relaxation=0"}).names() - permuting,
+            (Names{"load pressure", "propose exchange", "exchange volume", "exchange energy",
+                   "receive exchange"}));
+  const Cost unrelaxed = without(
+      {"scheme/heat conduction=0", "scheme/volume relaxation=0", "scheme/pressure relaxation=0"});
+  EXPECT_EQ(unrelaxed.columns.count("scratch"), 0u);
+  EXPECT_FALSE(unrelaxed.launches("scatter mean"));
+  EXPECT_FALSE(unrelaxed.launches("gather scalar"));
+
+  // Linear shapes do not reach over walls, one class needs no common velocity.
+  for (const char* kernel : {"fold halo", "fill halo", "mirror momentum", "image momentum",
+                             "add class", "common velocity"})
+    EXPECT_FALSE(all.launches(kernel)) << kernel;
+  EXPECT_TRUE(cost_of(2, {"preset=accurate"}).launches("fold halo"));
+  EXPECT_TRUE(cost_of(2, {"preset=accurate"}).launches("image momentum"));
+  EXPECT_EQ(all.columns.count("affine"), 0u);
+}
+
+TEST(Cost, OfFreeEndsIsNoWall) {
+  const Cost cost = cost_of(1, {"boundaries/x low=free", "boundaries/x high=free"});
+  EXPECT_FALSE(cost.launches("hold wall"));
+}
+
+TEST(Cost, OfSplittingIsPaidWhenItHappens) {
+  // Particles that are too long from the start: the first step cuts them.
+  const auto simulation =
+      make_simulation(test::scene(1, {"bodies/first/particles per cell=1"}), nullptr);
+  const auto kernels = kernels_of([&] { simulation->advance(1); });
+  for (const char* kernel : {"count parts", "place parts", "copy parts", "lay out parts"})
+    EXPECT_EQ(kernels.count(kernel), 1u) << kernel;
+  EXPECT_EQ(simulation->particle_count(), 10 * 2 + 10 * 3);
+}
+
+}  // namespace
+}  // namespace brisance
