@@ -13,8 +13,8 @@
 namespace brisance {
 
 Runtime::Runtime(int threads) {
+  trap_floating_point_errors();  // first: the threads of the pool inherit it
   initialize_kokkos(threads);
-  trap_floating_point_errors();
 }
 
 Runtime::~Runtime() { Kokkos::finalize(); }
