@@ -1,13 +1,23 @@
 #pragma once
 // The contract between a material law and the method. A law is a plain struct that works on plain
 // numbers for one point, so that it can be tested without a mesh. It has
-//   name, stress, fluid         what the input calls it; pressure or tensor; whether density and
-//   energy are its state History, fields             its state variables, and their names and units
-//   for output and restart update(Strain, old, history)  stress and state at the end of a strain
-//   increment state(rho, history)           fluids: the stress that belongs to a density and its
-//   history signal_speed(rate, rho, c, h)  what limits the time step: sound and viscosities [m/s]
+//   name, stress, fluid           what the input calls it; pressure or tensor; whether density and
+//                                 energy are its state
+//   History, fields               its state variables, one of them `energy`, and their names and
+//                                 units for output and restart
+//   initial(rho, given, from_energy)  the state variables of fresh matter
+//   update(Strain, old, history)  stress and state at the end of a strain increment
+//   sound_speed(rho, history), signal_speed(rate, rho, c, h)  what limits the time step: sound and
+//                                 viscosities [m/s]
 //   energy(history)               specific internal energy [J/kg]
-// and, on the host, valid_parameters() and a constructor from the checked list.
+// and, on the host, valid_parameters() and a constructor from the checked list. Fluids have
+//   state(rho, history)           the stress that belongs to a density and its history
+// and solids, for which the method has already turned `old` with the rigid rotation of the step,
+//   density()                     when free of stress [kg/m^3]
+//   energies(stress, rho, history)  where the work done on the point has gone
+//   directed, rotate(history, R)  whether the history holds directions, and their turn by R
+// The energy of a solid is a ledger: the method adds to it the work and the heat that a point
+// receives, the law does not read it.
 #include "core/particles.hpp"
 #include "core/types.hpp"
 
@@ -19,7 +29,7 @@ struct Strain {
   double dt = 0;              ///< [s]
   double rho0 = 0, rho1 = 0;  ///< density before and after [kg/m^3]
   double volume_change = 0;   ///< change of specific volume that pressure works on [m^3/kg]
-  double h = 0;               ///< cell size, over which shocks are spread [m]
+  double h = 0;               ///< cell size, over which shocks and cracks are spread [m]
   double smoothness = 0;      ///< 1 where the flow around is smooth, 0 in a shock [-]
   bool viscous_before =
       false;  ///< whether the stress before the step holds viscous parts (MUSL) or is of rest
@@ -29,6 +39,12 @@ struct Strain {
 struct Response {
   Sym3 stress;             ///< tension positive [Pa]
   double sound_speed = 0;  ///< [m/s]
+};
+
+/// Where the work done on a point of a solid has gone. [J/kg]
+struct Energies {
+  double elastic = 0;                               ///< would come back on unloading
+  double plastic = 0, damage = 0, decohesion = 0;  ///< dissipated, never less than before
 };
 
 /// One state variable of a law.
