@@ -42,6 +42,25 @@ struct Plane {
   }
 };
 
+/// Calls f(halo cell, the cell whose image it is, whether beyond a free end) for all halo cells.
+template <int D, class F>
+void for_halo_cells(const Lattice<D>& lattice, const Boundaries<D>& boundaries, const char* name,
+                    const F& f) {
+  for (int d = 0; d < D; ++d) {
+    const Plane<D> plane(lattice, d);
+    const int n = lattice.cells[d];
+    const bool periodic = boundaries.side[d][0] == Side::periodic;
+    for (int end = 0; end < 2; ++end) {
+      const bool open = boundaries.side[d][end] == Side::free;
+      const int halo = end == 0 ? -1 : n;
+      const int real = (end == 0) == periodic ? n - 1 : 0;
+      Kokkos::parallel_for(
+          name, Kokkos::RangePolicy<Space>(0, plane.nodes),
+          KOKKOS_LAMBDA(const int k) { f(plane.node(k, halo), plane.node(k, real), open); });
+    }
+  }
+}
+
 /// Whether component c of a vector changes sign in the mirror image across direction d.
 KOKKOS_INLINE_FUNCTION bool flips(Side side, int c, int d) {
   return side == Side::fixed || (side == Side::wall && c == d);
@@ -163,25 +182,23 @@ void fill(const Table<double>& field, int vectors, int columns, const Lattice<D>
 }
 
 template <int D>
-void fill_cells(const Table<double>& field, int columns, int column, double beyond_free,
-                const Lattice<D>& lattice, const Boundaries<D>& boundaries) {
-  for (int d = 0; d < D; ++d) {
-    const Plane<D> plane(lattice, d);
-    const int n = lattice.cells[d];
-    const bool periodic = boundaries.side[d][0] == Side::periodic;
-    for (int end = 0; end < 2; ++end) {
-      const bool open = boundaries.side[d][end] == Side::free;
-      const int halo = end == 0 ? -1 : n;
-      const int real = (end == 0) == periodic ? n - 1 : 0;
-      Kokkos::parallel_for(
-          "fill halo cells", Kokkos::RangePolicy<Space>(0, plane.nodes),
-          KOKKOS_LAMBDA(const int k) {
-            for (int c = 0; c < columns; ++c)
-              field(plane.node(k, halo), c) =
-                  open && c == column ? beyond_free : field(plane.node(k, real), c);
-          });
-    }
-  }
+void fold_cells(const Table<double>& sums, int column, const Lattice<D>& lattice,
+                const Boundaries<D>& boundaries) {
+  for_halo_cells(
+      lattice, boundaries, "fold halo cells", KOKKOS_LAMBDA(int halo, int real, bool open) {
+        if (!open) sums(real, column) += sums(halo, column);
+        sums(halo, column) = 0;
+      });
+}
+
+template <int D>
+void fill_cells(const Table<double>& field, int zeroed, const Lattice<D>& lattice,
+                const Boundaries<D>& boundaries) {
+  const int columns = static_cast<int>(field.extent(1));
+  for_halo_cells(
+      lattice, boundaries, "fill halo cells", KOKKOS_LAMBDA(int halo, int real, bool open) {
+        for (int c = 0; c < columns; ++c) field(halo, c) = open && c >= zeroed ? 0 : field(real, c);
+      });
 }
 
 #define BRISANCE_BOUNDARY(D)                                                                       \
@@ -191,8 +208,8 @@ void fill_cells(const Table<double>& field, int columns, int column, double beyo
                                     const Boundaries<D>&);                                         \
   template Vec<D> constrain<D>(const Table<double>&, const Lattice<D>&, const Boundaries<D>&);     \
   template void fill<D>(const Table<double>&, int, int, const Lattice<D>&, const Boundaries<D>&);  \
-  template void fill_cells<D>(const Table<double>&, int, int, double, const Lattice<D>&,           \
-                              const Boundaries<D>&);
+  template void fold_cells<D>(const Table<double>&, int, const Lattice<D>&, const Boundaries<D>&); \
+  template void fill_cells<D>(const Table<double>&, int, const Lattice<D>&, const Boundaries<D>&);
 BRISANCE_BOUNDARY(1)
 BRISANCE_BOUNDARY(2)
 #undef BRISANCE_BOUNDARY

@@ -82,10 +82,15 @@ template <int D>
 void fill(const Table<double>& field, int vectors, int columns, const Lattice<D>& lattice,
           const Boundaries<D>& boundaries);
 
-/// Sets the halo of a field of cells: copies of the nearest cell, or of the other end where
-/// periodic. Beyond a free end `beyond_free` is put into column `column`, others are copied.
+/// Adds what halo cells have received in a column to the cells whose mirror images they are.
 template <int D>
-void fill_cells(const Table<double>& field, int columns, int column, double beyond_free,
-                const Lattice<D>& lattice, const Boundaries<D>& boundaries);
+void fold_cells(const Table<double>& sums, int column, const Lattice<D>& lattice,
+                const Boundaries<D>& boundaries);
+
+/// Sets the halo of a field of cells: copies of the nearest cell, or of the other end where
+/// periodic. Beyond a free end the columns from `zeroed` on are 0, the others copied.
+template <int D>
+void fill_cells(const Table<double>& field, int zeroed, const Lattice<D>& lattice,
+                const Boundaries<D>& boundaries);
 
 }  // namespace brisance

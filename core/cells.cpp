@@ -8,14 +8,17 @@ template <class G>
 void average_cells(const Grid<G>& grid, const Accumulator& sums) {
   constexpr int D = G::dim;
   const auto cell = grid.cell, total = sums.total;
+  const bool mixed = grid.mixed();
+  if (mixed) fold_cells(total, D + 1, grid.lattice, grid.boundaries);
   Kokkos::parallel_for(
       "average cells", Kokkos::RangePolicy<Space>(0, grid.lattice.size),
       KOKKOS_LAMBDA(const int c) {
         const double volume = total(c, D);
         for (int d = 0; d < D; ++d) cell(c, d) = volume > 0 ? total(c, d) / volume : 0;
         cell(c, D) = volume;
+        if (mixed) cell(c, D + 1) = total(c, D + 1);
       });
-  fill_cells(cell, D + 1, D, 0.0, grid.lattice, grid.boundaries);
+  fill_cells(cell, D, grid.lattice, grid.boundaries);
 }
 
 template <class G>
@@ -24,6 +27,7 @@ void scale_cells(const Grid<G>& grid) {
   const auto cell = grid.cell, scale = grid.scale;
   const Lattice<D> lattice = grid.lattice;
   const double full_volume = lattice.cell_volume();
+  const bool mixed = grid.mixed();
   Kokkos::parallel_for(
       "scale cells", Kokkos::RangePolicy<Space>(0, lattice.size), KOKKOS_LAMBDA(const int c) {
         scale(c, 0) = 1;
@@ -35,9 +39,10 @@ void scale_cells(const Grid<G>& grid) {
         for (int k = 0; k < around; ++k) {
           int neighbour = c;
           for (int d = 0; d < D; ++d) neighbour += (k / power(3, d) % 3 - 1) * lattice.stride[d];
-          if (!(cell(neighbour, D) > 0)) return;
+          if (!(cell(neighbour, D) > 0 || (mixed && cell(neighbour, D + 1) > 0))) return;
         }
-        scale(c, 0) = clamp(full_volume / cell(c, D), 0.5, 2);
+        const double solid = mixed ? cell(c, D + 1) : 0;
+        scale(c, 0) = clamp((full_volume - solid) / cell(c, D), solid > 0 ? 0 : 0.5, 2);
       });
 }
 

@@ -4,12 +4,13 @@
 
 namespace brisance {
 
-/// grid.cell <- mean strain rates and filled volume, out of the sums of Transfer::scatter_cells.
+/// grid.cell <- mean strain rates and filled volumes, out of the sums of Transfer::scatter_cells
+/// and scatter_overlap.
 template <class G>
 void average_cells(const Grid<G>& grid, const Accumulator& sums);
 
-/// grid.scale <- what fills a cell whose neighbours all hold particles: h^D / V, at most doubled or
-/// halved; elsewhere 1.
+/// grid.scale <- what fills a cell whose neighbours all hold particles: (h^D - V of solids) / V of
+/// fluids, at most doubled or, without solids, halved; elsewhere 1.
 template <class G>
 void scale_cells(const Grid<G>& grid);
 

@@ -9,12 +9,14 @@ namespace brisance {
 struct Line {
   static constexpr const char* name = "line";
   static constexpr int dim = 1;
+  static constexpr int stress_components = 3;  ///< xx, yy, zz
 };
 
 /// Two directions, unit thickness, no motion and no strain along the third.
 struct PlaneStrain {
   static constexpr const char* name = "plane strain";
   static constexpr int dim = 2;
+  static constexpr int stress_components = 4;  ///< xx, yy, zz, xy; the others are zero
 };
 
 /// The rate of deformation sym(L) in three dimensions; directions that the grid does not resolve do
@@ -25,6 +27,36 @@ KOKKOS_INLINE_FUNCTION Sym3 strain_rate(const Mat<G::dim>& gradient) {
   for (int i = 0; i < G::dim; ++i)
     for (int j = i; j < G::dim; ++j) rate[Sym3::at(i, j)] = 0.5 * (gradient(i, j) + gradient(j, i));
   return rate;
+}
+
+/// The rotation of a step, R = (1 - W dt/2)^-1 (1 + W dt/2) with the spin W = skew(L): orthogonal
+/// for any step (Hughes & Winget 1980).
+template <class G>
+KOKKOS_INLINE_FUNCTION Mat<3> rotation([[maybe_unused]] const Mat<G::dim>& gradient,
+                                       [[maybe_unused]] double dt) {
+  static_assert(G::dim < 3, "three directions need the inverse of a 3 x 3 matrix");
+  Mat<3> r;
+  for (int i = 0; i < 3; ++i) r(i, i) = 1;
+  if constexpr (G::dim == 2) {
+    const double a = 0.25 * dt * (gradient(1, 0) - gradient(0, 1)), norm = 1 / (1 + a * a);
+    r(0, 0) = r(1, 1) = (1 - a * a) * norm;
+    r(1, 0) = 2 * a * norm;
+    r(0, 1) = -r(1, 0);
+  }
+  return r;
+}
+
+/// R s R^T.
+template <class G>
+KOKKOS_INLINE_FUNCTION Sym3 turned(const Sym3& s, [[maybe_unused]] const Mat<3>& r) {
+  if constexpr (G::dim == 1) return s;
+  Sym3 out = s;
+  const double c = r(0, 0), d = r(1, 0);
+  const double shift = d * d * (s[1] - s[0]) - 2 * c * d * s[3];
+  out[0] = s[0] + shift;
+  out[1] = s[1] - shift;
+  out[3] = (c * c - d * d) * s[3] + c * d * (s[0] - s[1]);
+  return out;
 }
 
 }  // namespace brisance

@@ -48,8 +48,9 @@ struct Grid {
   Table<double> after;             ///< velocity at its end [m/s]
   std::vector<Table<double>> own;  ///< like `before`, of one class each; one class: the same table
   std::vector<Table<double>> image_mass;  ///< of each class, beyond walls: see fold() [kg]
-  Table<double>
-      cell;  ///< mean strain rate along each direction [1/s]; column D: filled volume [m^D]
+  /// Of fluids: mean strain rate along each direction [1/s]; column D: volume [m^D]; column D + 1,
+  /// where fluids meet solids: volume of solids.
+  Table<double> cell;
   Table<double> scale;       ///< by what the volumes in a cell are scaled to fill it [-]
   Table<double> smoothness;  ///< 1 where the flow is smooth, 0 in a shock [-]
 
@@ -67,10 +68,14 @@ struct Grid {
     image_mass.resize(needs.classes);
     if (boundaries.images_beyond_walls())
       for (auto& mass : image_mass) mass = Table<double>("image mass", lattice.size, D);
-    if (needs.quadrature || needs.limiter) cell = Table<double>("cell", lattice.size, D + 1);
+    if (needs.quadrature || needs.limiter)
+      cell = Table<double>("cell", lattice.size, D + (needs.classes == 1 ? 1 : 2));
     if (needs.quadrature) scale = Table<double>("scale", lattice.size, 1);
     if (needs.limiter) smoothness = Table<double>("smoothness", lattice.size, 1);
   }
+
+  /// Whether cells may hold fluids and solids.
+  bool mixed() const { return own.size() > 1; }
 
   /// Memory of all fields. [B]
   std::size_t bytes() const {

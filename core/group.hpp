@@ -19,12 +19,14 @@ struct FieldName {
 /// Sums over particles. Energies in J, per metre (plane) or square metre (line).
 struct Totals {
   double mass = 0, momentum[3] = {}, kinetic = 0, internal = 0;
+  Energies work;  ///< parts of the internal energy of solids; the rest is heat
   double total() const { return kinetic + internal; }
-  Totals& operator+=(const Totals& t) {
+  KOKKOS_INLINE_FUNCTION Totals& operator+=(const Totals& t) {
     mass += t.mass;
     for (int d = 0; d < 3; ++d) momentum[d] += t.momentum[d];
     kinetic += t.kinetic;
     internal += t.internal;
+    work.add(t.work, 1);
     return *this;
   }
 };
@@ -32,15 +34,17 @@ struct Totals {
 /// How a material's steps are done, from the scheme of the scene.
 struct GroupScheme {
   bool midpoint = true;  ///< compatible energy with half-step stress; else MUSL
+  double damping =
+      0;  ///< FLIP: share of velocity drawn to the grid's in a sound crossing of a cell
   bool printed_work =
       false;  ///< MUSL: the work divided by the new density, as printed in (A.19), (A.22)
   double strain_length =
       0;  ///< rate of volume change times this counts as a signal; limits it in a step [m]
 };
 
-/// How fast news travels, for the time step. [m/s]
+/// How fast news travels. [m/s]
 struct Signals {
-  double fastest = 0;    ///< over the grid, with the velocity of the material
+  double over_grid = 0;  ///< with the velocity of the material: limits the time step
   double in_matter = 0;  ///< relative to the material
 };
 
@@ -52,6 +56,7 @@ class Group {
   GroupScheme scheme;
   Particles<G> particles;
   std::unique_ptr<Transfer<G>> transfer;
+  Signals fastest;  ///< in the step under way
   long floors = 0;  ///< how often a state had to be held at a lower bound, so far
 
   virtual ~Group() = default;
@@ -73,18 +78,18 @@ class Group {
   /// Stress <- the stress half a step on, with the gradient at the start of the step.
   virtual void half_step(const Grid<G>& grid, double dt) = 0;
   /// State at the end of the step from gradient and work (midpoint).
-  virtual void finish(double dt) = 0;
+  virtual void finish(const Grid<G>& grid, double dt) = 0;
   /// State at the end of the step from the gradient alone (MUSL).
   virtual void update(const Grid<G>& grid, double dt) = 0;
 
-  /// Fluids, for core/relaxation: see there what the two scratch columns hold.
-  virtual void correct_volume(double rate) = 0;
-  virtual void load_pressure() = 0;
-  virtual void propose_exchange(double rate, double dt, double h) = 0;
-  virtual void exchange_volume() = 0;
-  virtual void exchange_energy() = 0;
-  virtual void load_heat(double rate, double dt) = 0;
-  virtual void conduct() = 0;
+  /// Fluids only, for core/relaxation: see there what the two scratch columns hold.
+  virtual void correct_volume(double /*rate*/) {}
+  virtual void load_pressure() {}
+  virtual void propose_exchange(double /*rate*/, double /*dt*/, double /*h*/) {}
+  virtual void exchange_volume() {}
+  virtual void exchange_energy() {}
+  virtual void load_heat(double /*rate*/, double /*dt*/) {}
+  virtual void conduct() {}
 
   /// Sums over the particles begin .. end.
   virtual Totals totals(int begin, int end, double affine_inertia) const = 0;

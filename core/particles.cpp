@@ -13,9 +13,12 @@ Particles<G>::Particles(int capacity, const ColumnNeeds& needs)
       gradient("gradient", capacity, D * D),
       mass("mass", capacity, 1),
       volume("volume", capacity, 1),
-      stress("stress", capacity, needs.stress == Stress::pressure ? 1 : 6),
+      stress("stress", capacity, needs.stress == Stress::pressure ? 1 : G::stress_components),
       history("history", capacity, needs.history),
+      acting(stress),
+      acts_apart(needs.half_stress),
       id("id", capacity) {
+  if (acts_apart) acting = Table<double>("half stress", capacity, stress.extent(1));
   if (needs.affine) affine = Table<double>("affine", capacity, D * D);
   if (needs.work) work = Table<double>("work", capacity, 1);
   if (needs.extent) extent = Table<double>("extent", capacity, D);
@@ -27,6 +30,7 @@ void Particles<G>::reserve(int needed) {
   if (needed <= capacity()) return;
   const int room = std::max(needed, capacity() + capacity() / 4);
   each_column([&](const char*, Table<double>& c, bool) { Kokkos::resize(c, room, c.extent(1)); });
+  if (!acts_apart) acting = stress;
   Kokkos::resize(id, room);
 }
 

@@ -4,6 +4,7 @@
 // accessors.
 #include <string>
 
+#include "core/geometry.hpp"
 #include "core/lattice.hpp"
 
 namespace brisance {
@@ -14,10 +15,11 @@ enum class Stress { pressure, tensor };
 /// Which optional columns the scheme needs; what it does not need takes no memory.
 struct ColumnNeeds {
   Stress stress = Stress::pressure;
-  int history = 0;          ///< state variables of the material
-  bool affine = false;      ///< APIC: the affine velocity field of each particle
-  bool work = false;        ///< midpoint: specific energy received in a step
-  bool relaxation = false;  ///< relaxations: residuals and exchanges
+  int history = 0;           ///< state variables of the material
+  bool affine = false;       ///< APIC: the affine velocity field of each particle
+  bool work = false;         ///< midpoint: specific energy received in a step
+  bool half_stress = false;  ///< midpoint, solids: the stress half a step on, beside the state
+  bool relaxation = false;   ///< relaxations: residuals and exchanges
   bool extent =
       false;  ///< edges of each particle, where the scheme asks for them in more than one direction
 };
@@ -29,6 +31,8 @@ struct Particles {
   int count = 0;
   Table<double> position, velocity, gradient, mass, volume, stress, history, affine, work, scratch,
       extent;
+  Table<double> acting;  ///< the stress that pulls at the nodes: `stress` itself, or a column apart
+  bool acts_apart = false;
   Array<std::int64_t> id;
   Array<int> first;  ///< bin b holds the particles first(b) .. first(b + 1)
 
@@ -55,6 +59,7 @@ struct Particles {
     if (history.extent(1) > 0) f("history", history, true);
     if (affine.extent(1) > 0) f("affine", affine, true);
     if (extent.extent(1) > 0) f("extent", extent, true);
+    if (acts_apart) f("half stress", acting, false);
     if (work.extent(1) > 0) f("work", work, false);
     if (scratch.extent(1) > 0) f("scratch", scratch, false);
   }
@@ -88,20 +93,28 @@ struct Particles {
 
   /// The stress tensor, tension positive; a pressure column gives -p I. [Pa]
   template <Stress kind>
-  KOKKOS_INLINE_FUNCTION Sym3 sigma(int p) const {
+  KOKKOS_INLINE_FUNCTION static Sym3 sigma(const Table<double>& column, int p) {
     Sym3 s;
     if constexpr (kind == Stress::pressure)
-      s[0] = s[1] = s[2] = -stress(p, 0);
+      s[0] = s[1] = s[2] = -column(p, 0);
     else
-      for (int k = 0; k < 6; ++k) s[k] = stress(p, k);
+      for (int k = 0; k < G::stress_components; ++k) s[k] = column(p, k);
     return s;
   }
   template <Stress kind>
-  KOKKOS_INLINE_FUNCTION void set_sigma(int p, const Sym3& s) const {
+  KOKKOS_INLINE_FUNCTION static void set_sigma(const Table<double>& column, int p, const Sym3& s) {
     if constexpr (kind == Stress::pressure)
-      stress(p, 0) = -s[0];
+      column(p, 0) = -s[0];
     else
-      for (int k = 0; k < 6; ++k) stress(p, k) = s[k];
+      for (int k = 0; k < G::stress_components; ++k) column(p, k) = s[k];
+  }
+  template <Stress kind>
+  KOKKOS_INLINE_FUNCTION Sym3 sigma(int p) const {
+    return sigma<kind>(stress, p);
+  }
+  template <Stress kind>
+  KOKKOS_INLINE_FUNCTION void set_sigma(int p, const Sym3& s) const {
+    set_sigma<kind>(stress, p, s);
   }
 
   /// Half the edge along d of the box that the particle fills: its extents, brought to its volume.
@@ -112,6 +125,11 @@ struct Particles {
     double box = 1;
     for (int k = 0; k < D; ++k) box *= extent(p, k);
     return 0.5 * extent(p, d) * root(vol(p) / box);
+  }
+
+  /// The same in cells, as sized shapes take it.
+  KOKKOS_INLINE_FUNCTION double half_length(int p, int d, double h) const {
+    return clamp(half_size(p, d) / h, 1e-6, 0.5);
   }
 
   /// Stretches the extents with a step's strain, if they are kept; none gets longer than four times

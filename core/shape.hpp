@@ -1,8 +1,11 @@
 #pragma once
 // The shape functions along one direction; a node's weight is the product over the directions.
 // Each gives the first node that it touches, `base(xi)`, and the weights and slopes of its `width`
-// nodes. Lengths are in cells. Sources: Sulsky et al. (1994) for linear, Bardenhagen & Kober (2004)
-// for GIMP, Steffen, Kirby & Berzins (2008) for the splines.
+// nodes, and how a point's volume spreads over cells, `overlap`: such that the slope of a node is
+// the sum over cells of overlap times the slope of the linear shape, hence a pressure that fills a
+// cell together with fluids of the shape "linear" is in balance with them. Lengths are in cells.
+// Sources: Sulsky et al. (1994) for linear, Bardenhagen & Kober (2004) for GIMP, Steffen, Kirby &
+// Berzins (2008) for the splines.
 #include "core/types.hpp"
 
 namespace brisance {
@@ -21,6 +24,9 @@ struct Linear {
     slope[0] = -1;
     slope[1] = 1;
   }
+
+  static constexpr int cells = 1;
+  KOKKOS_INLINE_FUNCTION static void overlap(double, double, double (&w)[1]) { w[0] = 1; }
 };
 
 /// A hat smeared over the particle's own extent, half of which is `half`, at most half a cell.
@@ -52,6 +58,12 @@ struct Gimp {
       }
     }
   }
+
+  static constexpr int cells = 2;
+  KOKKOS_INLINE_FUNCTION static void overlap(double d, double half, double (&w)[2]) {
+    w[1] = clamp((d + half - 1) / (2 * half), 0, 1);
+    w[0] = 1 - w[1];
+  }
 };
 
 struct QuadraticSpline {
@@ -71,6 +83,12 @@ struct QuadraticSpline {
     slope[0] = d - 1.5;
     slope[1] = -2 * (d - 1);
     slope[2] = d - 0.5;
+  }
+
+  static constexpr int cells = 2;
+  KOKKOS_INLINE_FUNCTION static void overlap(double d, double, double (&w)[2]) {
+    w[0] = 1.5 - d;
+    w[1] = d - 0.5;
   }
 };
 
@@ -92,6 +110,13 @@ struct CubicSpline {
     slope[1] = (9 * f * f - 12 * f) / 6;
     slope[2] = -(9 * g * g - 12 * g) / 6;
     slope[3] = f * f / 2;
+  }
+
+  static constexpr int cells = 3;
+  KOKKOS_INLINE_FUNCTION static void overlap(double d, double, double (&w)[3]) {
+    w[0] = 0.5 * square(2 - d);
+    w[2] = 0.5 * square(d - 1);
+    w[1] = 1 - w[0] - w[2];
   }
 };
 

@@ -18,7 +18,7 @@ struct Stencil {
     for (int d = 0; d < D; ++d) {
       const double at = lattice.in_cells(points.position(p, d), d) - base[d];
       double half = 0;
-      if constexpr (S::sized) half = clamp(points.half_size(p, d) * per_h, 1e-6, 0.5);
+      if constexpr (S::sized) half = points.half_length(p, d, lattice.h);
       S::at(at, half, w[d], slope[d]);
       for (int k = 0; k < W; ++k) {
         slope[d][k] *= per_h;

@@ -16,30 +16,27 @@ class Step {
   State<G>& s;
   Exchange<G>& others;
   double dt = 0;
-  double crossings = 0;  ///< how many cells sound crosses in the step, at its fastest
 
   void prepare() {
     for (auto& g : s.groups) {
       arrange(*g);
       g->start();
     }
+    if (s.scheme.midpoint) return;
     momentum_to_grid();
-    for (auto& g : s.groups)
-      g->transfer->gather_gradient(g->particles, s.grid.lattice, s.grid.before);
+    gradients();
   }
 
-  Signals begin() {
+  double begin() {
     momentum_to_grid();
-    if (s.scheme.midpoint)
-      for (auto& g : s.groups)
-        g->transfer->gather_gradient(g->particles, s.grid.lattice, s.grid.before);
-    Signals all;
+    if (s.scheme.midpoint) gradients();
+    double fastest = 0;
     for (auto& g : s.groups) {
-      const Signals one = g->signals(s.grid.lattice.h);
-      all.fastest = std::max(all.fastest, one.fastest);
-      all.in_matter = std::max(all.in_matter, one.in_matter);
+      const Signals here = g->signals(s.grid.lattice.h);
+      g->fastest = {others.max(here.over_grid), others.max(here.in_matter)};
+      fastest = std::max(fastest, g->fastest.over_grid);
     }
-    return {others.max(all.fastest), others.max(all.in_matter)};
+    return fastest;
   }
 
   void midpoint() {
@@ -48,9 +45,9 @@ class Step {
     for (auto& g : s.groups) g->half_step(s.grid, dt);
     force_to_grid();
     for (auto& g : s.groups)
-      g->transfer->finish_midpoint(g->particles, s.grid, g->stress(), g->velocity_class, flip(),
+      g->transfer->finish_midpoint(g->particles, s.grid, g->stress(), g->velocity_class, flip(*g),
                                    dt);
-    for (auto& g : s.groups) g->finish(dt);
+    for (auto& g : s.groups) g->finish(s.grid, dt);
     new_order();
     relax(s.groups, s.grid, s.sums, rates(), dt);
   }
@@ -62,7 +59,7 @@ class Step {
     know_cells();
     force_to_grid();
     for (auto& g : s.groups)
-      g->transfer->accelerate(g->particles, s.grid, g->velocity_class, flip());
+      g->transfer->accelerate(g->particles, s.grid, g->velocity_class, flip(*g));
     momentum_to_grid();
     for (auto& g : s.groups)
       g->transfer->gradient_and_move(g->particles, s.grid, s.grid.before, dt);
@@ -71,12 +68,26 @@ class Step {
   }
 
  private:
+  /// grid.before -> gradients of all particles.
+  void gradients() {
+    for (auto& g : s.groups)
+      g->transfer->gather_gradient(g->particles, s.grid.lattice, s.grid.before);
+  }
+
+  /// How many cells sound crosses in the step, at its fastest in a group.
+  double crossings(const Group<G>& g) const { return g.fastest.in_matter * dt / s.grid.lattice.h; }
+
   /// Damping by the time it takes sound to cross a cell: the same for any time step, in any frame.
-  double flip() const { return 1 - std::min(0.1, s.scheme.damping * crossings); }
+  double flip(const Group<G>& g) const {
+    return 1 - std::min(0.1, g.scheme.damping * crossings(g));
+  }
 
   RelaxationRates rates() const {
+    double most = 0;
+    for (const auto& g : s.groups)
+      if (g->fluid()) most = std::max(most, crossings(*g));
     RelaxationRates r = s.scheme.rates;
-    r.volume = std::min(0.2, r.volume * crossings);
+    r.volume = std::min(0.2, r.volume * most);
     return r;
   }
 
@@ -120,11 +131,15 @@ class Step {
         });
   }
 
-  /// grid.cell and what follows from it, as far as the scheme asks for it.
+  /// grid.cell and what follows from it, as far as fluids and the scheme ask for it.
   void know_cells() {
     if (s.grid.cell.extent(0) == 0) return;
     s.sums.clear();
-    for (auto& g : s.groups) g->transfer->scatter_cells(g->particles, s.grid.lattice, s.sums);
+    for (auto& g : s.groups)
+      if (g->fluid())
+        g->transfer->scatter_cells(g->particles, s.grid.lattice, s.sums);
+      else
+        g->transfer->scatter_overlap(g->particles, s.grid.lattice, D + 1, s.sums);
     s.sums.contribute();
     average_cells(s.grid, s.sums);
     if (s.grid.scale.extent(0) > 0) scale_cells(s.grid);
@@ -176,10 +191,11 @@ class Step {
   /// grid.
   void damp_against_walls() {
     for (std::size_t c = 0; c < s.stopped.size(); ++c) {
-      bool affine = false;
+      double share = 0;
       for (auto& g : s.groups)
-        affine = affine || (g->velocity_class == static_cast<int>(c) && g->transfer->affine());
-      push_walls(s.stopped[c], affine ? 1 : 1 - flip());
+        if (g->velocity_class == static_cast<int>(c))
+          share = g->transfer->affine() ? 1 : 1 - flip(*g);
+      push_walls(s.stopped[c], share);
     }
   }
 
@@ -214,22 +230,22 @@ void prepare(State<G>& state) {
 }
 
 template <class G>
-Signals begin_step(State<G>& state, Exchange<G>& others) {
+double begin_step(State<G>& state, Exchange<G>& others) {
   return Step<G>{state, others}.begin();
 }
 
 template <class G>
-void finish_step(State<G>& state, Exchange<G>& others, const Signals& signals, double dt) {
-  Step<G> step{state, others, dt, signals.in_matter * dt / state.grid.lattice.h};
+void finish_step(State<G>& state, Exchange<G>& others, double dt) {
+  Step<G> step{state, others, dt};
   state.scheme.midpoint ? step.midpoint() : step.musl();
   state.time += dt;
   ++state.step;
 }
 
-#define BRISANCE_STEP(G)                                   \
-  template void prepare<G>(State<G>&);                     \
-  template Signals begin_step<G>(State<G>&, Exchange<G>&); \
-  template void finish_step<G>(State<G>&, Exchange<G>&, const Signals&, double);
+#define BRISANCE_STEP(G)                                  \
+  template void prepare<G>(State<G>&);                    \
+  template double begin_step<G>(State<G>&, Exchange<G>&); \
+  template void finish_step<G>(State<G>&, Exchange<G>&, double);
 BRISANCE_STEP(Line)
 BRISANCE_STEP(PlaneStrain)
 #undef BRISANCE_STEP

@@ -21,9 +21,7 @@ class Exchange {
 
 /// The choices of a scheme that concern the step as a whole.
 struct StepScheme {
-  bool midpoint = true;  ///< compatible energy with half-step stress; else MUSL (Appendix A)
-  double damping =
-      0;  ///< FLIP: share of velocity drawn to the grid's in a sound crossing of a cell
+  bool midpoint = true;     ///< compatible energy with half-step stress; else MUSL (Appendix A)
   double split_length = 0;  ///< fluids' particles longer than this many cells are split; 0: never
   RelaxationRates rates;
 };
@@ -48,7 +46,7 @@ struct State {
   Totals outflow;       ///< what left through free ends so far
 
   State(const Grid<G>& grid_, const StepScheme& scheme_)
-      : grid(grid_), scheme(scheme_), sums(grid_.lattice.size, D + 1) {}
+      : grid(grid_), scheme(scheme_), sums(grid_.lattice.size, D + (grid_.mixed() ? 2 : 1)) {}
 
   long particles() const {
     long sum = 0;
@@ -62,12 +60,13 @@ struct State {
 template <class G>
 void prepare(State<G>& state);
 
-/// The start of a step: velocities and gradients, which decide how far the step may go.
+/// The start of a step: velocities and gradients. Returns the fastest signal over the grid, which
+/// decides how far the step may go. [m/s]
 template <class G>
-Signals begin_step(State<G>& state, Exchange<G>& others);
+double begin_step(State<G>& state, Exchange<G>& others);
 
 /// The rest of the step, by dt [s].
 template <class G>
-void finish_step(State<G>& state, Exchange<G>& others, const Signals& signals, double dt);
+void finish_step(State<G>& state, Exchange<G>& others, double dt);
 
 }  // namespace brisance

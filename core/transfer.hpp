@@ -59,6 +59,10 @@ class Transfer {
   /// sums <- volume-weighted diagonal of the gradient and volume (column D) of each cell.
   virtual void scatter_cells(const Particles<G>&, const Lattice<D>&, const Accumulator&) const = 0;
 
+  /// sums(column) <- volume of the particles, spread over the cells that their shapes overlap.
+  virtual void scatter_overlap(const Particles<G>&, const Lattice<D>&, int column,
+                               const Accumulator&) const = 0;
+
   /// Particle velocity from the nodes, positions unmoved: FLIP with blend. (A.6, A.8)
   virtual void accelerate(const Particles<G>&, const Grid<G>&, int velocity_class,
                           double flip) const = 0;

@@ -79,6 +79,15 @@ class TransferBy final : public Transfer<G> {
         KOKKOS_LAMBDA(const Row<D>& row) { rows.cells(row, scatter.access()); });
   }
 
+  void scatter_overlap(const Particles<G>& points, const Lattice<D>& lattice, int column,
+                       const Accumulator& sums) const override {
+    const R rows{points, lattice};
+    const auto scatter = sums.scatter;
+    for_rows(
+        "scatter overlap", lattice,
+        KOKKOS_LAMBDA(const Row<D>& row) { rows.overlap(row, column, scatter.access()); });
+  }
+
   void accelerate(const Particles<G>& points, const Grid<G>& grid, int velocity_class,
                   double flip) const override {
     const R rows{points, grid.lattice};

@@ -35,8 +35,8 @@ struct Midpoint {
         mass += m;
         heat += m * (M::affine ? affine_velocity(p, at, v0, v1, mine)
                                : flip_velocity(p, at, v0, v1, mine));
-        const double power =
-            contract(rows.points.template sigma<kind>(p), strain_rate<G>(gradient));
+        const double power = contract(rows.points.template sigma<kind>(rows.points.acting, p),
+                                      strain_rate<G>(gradient));
         rows.points.work(p, 0) = power * fill * rows.points.vol(p) * dt / m;
         rows.points.set_matrix(rows.points.gradient, p, gradient);
         rows.points.stretch(p, gradient, dt);

@@ -118,9 +118,9 @@ struct Rows {
   KOKKOS_INLINE_FUNCTION void add_stress(Sym3& total, int p) const {
     const double v = points.vol(p);
     if constexpr (kind == Stress::pressure) {
-      total[0] -= v * points.stress(p, 0);
+      total[0] -= v * points.acting(p, 0);
     } else {
-      const Sym3 s = points.template sigma<kind>(p);
+      const Sym3 s = points.template sigma<kind>(points.acting, p);
       for (int k = 0; k < 6; ++k) total[k] += v * s[k];
     }
   }
@@ -212,6 +212,32 @@ struct Rows {
       for (int d = 0; d < D; ++d) to(cell, d) += v * points.gradient(p, d * D + d);
       to(cell, D) += v;
     }
+  }
+
+  /// sums(column) <- V of each particle, spread over the cells that its shape overlaps.
+  template <class Access>
+  KOKKOS_INLINE_FUNCTION void overlap(const Row<D>& row, int column, const Access& to) const {
+    constexpr int W = S::cells;
+    for_bins(row, [&](int bin, int begin, int end, const int(&base)[D]) {
+      for (int p = begin; p < end; ++p) {
+        double w[D][W];
+        for (int d = 0; d < D; ++d) {
+          double half = 0;
+          if constexpr (S::sized) half = points.half_length(p, d, lattice.h);
+          S::overlap(lattice.in_cells(points.position(p, d), d) - base[d], half, w[d]);
+        }
+        for (int k = 0; k < power(W, D); ++k) {
+          int cell = bin;
+          double share = points.vol(p);
+          for (int d = 0; d < D; ++d) {
+            const int digit = k / power(W, d) % W;
+            cell += digit * lattice.stride[d];
+            share *= w[d][digit];
+          }
+          to(cell, column) += share;
+        }
+      }
+    });
   }
 
   template <class Access>

@@ -94,6 +94,18 @@ struct Sym3 {
   }
 };
 
+/// Where the work done on solids has gone: [J/kg] at a point, [J] in all.
+struct Energies {
+  double elastic = 0;                              ///< would come back on unloading
+  double plastic = 0, damage = 0, decohesion = 0;  ///< dissipated, never less than before
+  KOKKOS_INLINE_FUNCTION void add(const Energies& e, double factor) {
+    elastic += factor * e.elastic;
+    plastic += factor * e.plastic;
+    damage += factor * e.damage;
+    decohesion += factor * e.decohesion;
+  }
+};
+
 KOKKOS_INLINE_FUNCTION double trace(const Sym3& s) { return s[0] + s[1] + s[2]; }
 
 /// a : b, the double contraction.

@@ -15,7 +15,8 @@ struct Body {
   double radius = 0;
 
   std::string material;
-  int per_cell = 1;  ///< particles along each direction of a cell
+  int per_cell = 1;        ///< particles along each direction of a cell
+  bool by_points = false;  ///< owns single points, else whole cells by their centres
   bool exact = false, from_energy = false;
   double density = 0, state = 0;  ///< state: pressure [Pa] or specific energy [J/kg]
   std::vector<double> velocity;
@@ -23,6 +24,7 @@ struct Body {
   explicit Body(const List& list)
       : material(get<std::string>(list, "material")),
         per_cell(get<int>(list, "particles per cell")),
+        by_points(get<std::string>(list, "edge") == "points"),
         exact(get<std::string>(list, "initial state") == "exact") {
     if (const List* box = find_list(list, "box")) {
       shape = Shape::box;
@@ -93,23 +95,17 @@ class Seeder {
     const int begin = p.count, per_cell = body.per_cell;
     const double v = state.grid.lattice.cell_volume() / power(per_cell, D),
                  h = state.grid.lattice.h;
-    for_cells(state.grid.lattice, [&](const int(&cell)[D]) {
-      if (owner(cell) != &body) return;
-      for (int k = 0; k < power(per_cell, D); ++k) {
-        const int at = p.count++;
-        Place x{};
-        for (int d = 0; d < D; ++d)
-          x[d] = position(at, d) =
-              state.grid.lattice.origin[d] +
-              (cell[d] + (k / power(per_cell, d) % per_cell + 0.5) / per_cell) * h;
-        const GasState s = body.exact ? exact->at(x, 0) : GasState{};
-        for (int d = 0; d < D; ++d) velocity(at, d) = body.exact ? s.v[d] : body.velocity[d];
-        mass(at, 0) = v * (body.exact ? s.rho : body.density);
-        volume(at, 0) = v;
-        for (std::size_t d = 0; d < extent.extent(1); ++d) extent(at, d) = h / per_cell;
-        stress(at, 0) = body.exact ? s.p : body.state;
-        id(at) = state.next_id++;
-      }
+    for_places(body, [&](const Vec<D>& place) {
+      const int at = p.count++;
+      Place x{};
+      for (int d = 0; d < D; ++d) x[d] = position(at, d) = place[d];
+      const GasState s = body.exact ? exact->at(x, 0) : GasState{};
+      for (int d = 0; d < D; ++d) velocity(at, d) = body.exact ? s.v[d] : body.velocity[d];
+      mass(at, 0) = v * (body.exact ? s.rho : body.density);
+      volume(at, 0) = v;
+      for (std::size_t d = 0; d < extent.extent(1); ++d) extent(at, d) = h / per_cell;
+      stress(at, 0) = body.exact ? s.p : body.state;
+      id(at) = state.next_id++;
     });
     Kokkos::deep_copy(p.position, position);
     Kokkos::deep_copy(p.velocity, velocity);
@@ -124,10 +120,8 @@ class Seeder {
   /// Particles of the material with that name.
   int count(const std::string& material) const {
     double sum = 0;
-    for_cells(state.grid.lattice, [&](const int(&cell)[D]) {
-      const Body* body = owner(cell);
-      if (body && body->material == material) sum += power(body->per_cell, D);
-    });
+    for (const Body& body : bodies)
+      if (body.material == material) for_places(body, [&](const Vec<D>&) { ++sum; });
     if (sum > 2e9)
       throw std::runtime_error("the scene has more than 2e9 particles of '" + material + "'");
     return static_cast<int>(sum);
@@ -142,10 +136,26 @@ class Seeder {
     return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), column);
   }
 
-  const Body* owner(const int (&cell)[D]) const {
-    const Vec<D> x = centre_of(state.grid.lattice, cell);
+  /// Calls f(place) for each particle of a body.
+  template <class F>
+  void for_places(const Body& body, const F& f) const {
+    const Lattice<D>& lattice = state.grid.lattice;
+    const int n = body.per_cell;
+    for_cells(lattice, [&](const int(&cell)[D]) {
+      const Vec<D> centre = centre_of(lattice, cell);
+      for (int k = 0; k < power(n, D); ++k) {
+        Vec<D> x;
+        for (int d = 0; d < D; ++d)
+          x[d] = lattice.origin[d] + (cell[d] + (k / power(n, d) % n + 0.5) / n) * lattice.h;
+        if (owner(centre, x) == &body) f(x);
+      }
+    });
+  }
+
+  /// The first body that holds a point x in the cell with that centre.
+  const Body* owner(const Vec<D>& centre, const Vec<D>& x) const {
     for (const Body& body : bodies)
-      if (body.holds(x)) return &body;
+      if (body.holds(body.by_points ? x : centre)) return &body;
     return nullptr;
   }
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "drivers/exact_parameters.hpp"
+#include "drivers/exact_solid.hpp"
 
 namespace brisance {
 namespace {
@@ -24,9 +25,14 @@ constexpr Kind kind(const char* name) {
           }};
 }
 
-constexpr std::array<Kind, 5> kinds{kind<Riemann>("riemann"), kind<Sedov>("sedov"),
-                                    kind<AcousticWave>("acoustic wave"), kind<Vortex>("vortex"),
-                                    kind<Uniform>("uniform")};
+constexpr std::array<Kind, 8> kinds{kind<Riemann>("riemann"),
+                                    kind<Sedov>("sedov"),
+                                    kind<AcousticWave>("acoustic wave"),
+                                    kind<Vortex>("vortex"),
+                                    kind<Uniform>("uniform"),
+                                    kind<StandingWave>("standing wave"),
+                                    kind<PlateImpact>("plate impact"),
+                                    kind<PlasticWave>("plastic wave")};
 
 List choice() {
   List valid;

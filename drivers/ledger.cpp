@@ -10,6 +10,13 @@ double ratio(double error, double scale) { return scale > 0 ? error / scale : er
 
 }  // namespace
 
+Ledger::Ledger(const Balance& start) : start_(start.totals) {
+  for (const auto& m : start.materials) {
+    materials_.push_back(m.name);
+    solids_ = solids_ || m.solid;
+  }
+}
+
 double Ledger::mass_error(const Balance& now) const {
   return ratio(now.totals.mass + now.outflow.mass - start_.mass, start_.mass);
 }
@@ -28,38 +35,71 @@ double Ledger::energy_error(const Balance& now) const {
   return ratio(now.totals.total() + now.outflow.total() - start_.total(), start_.total());
 }
 
-std::vector<MeasureDoc> conservation_measures() {
-  return {{"mass error", "-", "mass gained, over the mass at the start"},
-          {"momentum error", "-",
-           "size of the momentum gained beyond what walls gave, over sqrt(2 mass energy)"},
-          {"energy error", "-", "total energy gained, over that at the start"},
-          {"floors", "-", "how often an energy was held at its lower bound"}};
+std::vector<MeasureDoc> balance_measures(const std::vector<std::string>& materials, bool solids) {
+  std::vector<MeasureDoc> docs = {
+      {"mass error", "-", "mass gained, over the mass at the start"},
+      {"momentum error", "-",
+       "size of the momentum gained beyond what walls gave, over sqrt(2 mass energy)"},
+      {"energy error", "-", "total energy gained, over that at the start"},
+      {"floors", "-", "how often an energy was held at its lower bound"}};
+  for (const auto& name : materials)
+    docs.push_back({"x velocity of " + name, "m/s", "mean by mass, of what is inside the grid"});
+  if (solids) {
+    docs.push_back({"mechanical energy", "-",
+                    "kinetic and elastic energy, over the total energy at the start"});
+    for (const char* kind : {"plastic", "damage", "decohesion"})
+      docs.push_back({std::string(kind) + " energy", "J", "dissipated, per metre or square metre"});
+  }
+  return docs;
 }
 
 std::vector<Measure> Ledger::measures(const Balance& now) const {
-  return with_values(conservation_measures(), {{"mass error", mass_error(now)},
-                                               {"momentum error", momentum_error(now)},
-                                               {"energy error", energy_error(now)},
-                                               {"floors", static_cast<double>(now.floors)}});
+  const Energies& work = now.totals.work;
+  std::map<std::string, double> values = {
+      {"mass error", mass_error(now)},
+      {"momentum error", momentum_error(now)},
+      {"energy error", energy_error(now)},
+      {"floors", static_cast<double>(now.floors)},
+      {"mechanical energy", ratio(now.totals.kinetic + work.elastic, start_.total())},
+      {"plastic energy", work.plastic},
+      {"damage energy", work.damage},
+      {"decohesion energy", work.decohesion}};
+  for (const auto& m : now.materials)
+    values["x velocity of " + m.name] = ratio(m.totals.momentum[0], m.totals.mass);
+  return with_values(balance_measures(materials_, solids_), values);
 }
 
-std::string Ledger::head() {
-  return "step,time,dt,particles,mass,momentum_x,momentum_y,momentum_z,kinetic,internal,total,mass_"
-         "error,"
-         "momentum_error,energy_error,outflow_mass,wall_impulse_x,wall_impulse_y,wall_impulse_z\n";
+std::string Ledger::head() const {
+  std::string text =
+      "step,time,dt,particles,mass,momentum_x,momentum_y,momentum_z,kinetic,internal,total,"
+      "mass_error,momentum_error,energy_error,outflow_mass,"
+      "wall_impulse_x,wall_impulse_y,wall_impulse_z";
+  if (solids_) text += ",elastic,plastic,damage,decohesion";
+  return text + "\n";
 }
 
 std::string Ledger::line(const Balance& b) const {
-  char text[1024];
-  std::snprintf(text, sizeof text,
-                "%ld,%.17g,%.17g,%ld,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.6g,%.6g,%.6g,%."
-                "17g,%.17g,%.17g,"
-                "%.17g\n",
-                b.step, b.time, b.dt, b.particles, b.totals.mass, b.totals.momentum[0],
-                b.totals.momentum[1], b.totals.momentum[2], b.totals.kinetic, b.totals.internal,
-                b.totals.total(), mass_error(b), momentum_error(b), energy_error(b), b.outflow.mass,
-                b.wall_impulse[0], b.wall_impulse[1], b.wall_impulse[2]);
-  return text;
+  const Totals& t = b.totals;
+  std::string text = std::to_string(b.step);
+  const auto add = [&](const char* format, double value) {
+    char number[40];
+    std::snprintf(number, sizeof number, format, value);
+    text += number;
+  };
+  for (const double value : {b.time, b.dt}) add(",%.17g", value);
+  text += "," + std::to_string(b.particles);
+  for (const double value :
+       {t.mass, t.momentum[0], t.momentum[1], t.momentum[2], t.kinetic, t.internal, t.total()})
+    add(",%.17g", value);
+  for (const double value : {mass_error(b), momentum_error(b), energy_error(b)})
+    add(",%.6g", value);
+  for (const double value :
+       {b.outflow.mass, b.wall_impulse[0], b.wall_impulse[1], b.wall_impulse[2]})
+    add(",%.17g", value);
+  if (solids_)
+    for (const double value : {t.work.elastic, t.work.plastic, t.work.damage, t.work.decohesion})
+      add(",%.17g", value);
+  return text + "\n";
 }
 
 }  // namespace brisance

@@ -15,13 +15,19 @@ struct Balance {
   double time = 0, dt = 0;  // [s]
   long particles = 0;
   Totals totals, outflow;
+  struct Material {
+    std::string name;
+    bool solid = false;
+    Totals totals;
+  };
+  std::vector<Material> materials;
   double wall_impulse[3] = {};  // [N s]
   long floors = 0;              // states held at a lower bound, so far
 };
 
 class Ledger {
  public:
-  explicit Ledger(const Balance& start) : start_(start.totals) {}
+  explicit Ledger(const Balance& start);
 
   /// Errors relative to the start; momentum relative to sqrt(2 mass energy).
   double mass_error(const Balance& now) const;
@@ -30,14 +36,17 @@ class Ledger {
   std::vector<Measure> measures(const Balance& now) const;
 
   /// A line of history.csv, and its head.
-  static std::string head();
+  std::string head() const;
   std::string line(const Balance& now) const;
 
  private:
   Totals start_;
+  std::vector<std::string> materials_;
+  bool solids_ = false;
 };
 
-/// The measures that every scene has.
-std::vector<MeasureDoc> conservation_measures();
+/// The measures of a scene with these materials, whatever happens in it; those of solids if it has
+/// any.
+std::vector<MeasureDoc> balance_measures(const std::vector<std::string>& materials, bool solids);
 
 }  // namespace brisance

@@ -47,6 +47,12 @@ std::array<double, 3> ParticleTable::motion(std::size_t particle) const {
   return motion;
 }
 
+const std::vector<double>* ParticleTable::field(const std::string& name) const {
+  for (const Field& f : fields)
+    if (f.name == name) return &f.values;
+  return nullptr;
+}
+
 void Sums::add(const ParticleTable& table, std::size_t particle) {
   const double m = table.mass[particle], v = table.volume[particle];
   mass += m;

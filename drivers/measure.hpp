@@ -34,6 +34,16 @@ struct ParticleTable {
   std::array<double, 3> origin{};       // low corner of the grid [m]
   std::array<int, 3> cells{{1, 1, 1}};  // per direction; 1 beyond dim
   std::vector<double> x, y, z, vx, vy, vz, mass, volume, density, pressure, energy;
+  std::vector<int> material;  ///< number of the material, in the order of the scene
+
+  /// Stresses and state variables that materials add; 0 where a material does not have one.
+  struct Field {
+    std::string name, unit;
+    std::vector<double> values;
+  };
+  std::vector<Field> fields;
+  /// The values of a field; null if no material has it.
+  const std::vector<double>* field(const std::string& name) const;
 
   std::size_t size() const { return mass.size(); }
   /// Column of the position / velocity along a direction; std::runtime_error from `dim` on.

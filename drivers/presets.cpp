@@ -13,6 +13,8 @@ Preset preset(const std::string& name, int dim) {
     p.quadrature = "particle";
     p.integration = "MUSL";
     p.work = "printed";
+    p.solid_shape = "linear";
+    p.solid_transfer = "FLIP";
     p.damping = 0;
     p.volume_relaxation = p.pressure_relaxation = p.heat_conduction = p.split_length = 0;
     p.viscosity = "von Neumann-Richtmyer";
@@ -55,13 +57,30 @@ List valid_shock_viscosity(const Preset& p) {
   return valid;
 }
 
-List valid_scheme(const Preset& p) {
-  List valid;
-  declare(valid, "shape", p.shape, one_of({"linear", "GIMP", "quadratic", "cubic"}),
+namespace {
+
+void declare_transfer(List& valid, const std::string& shape, const std::string& transfer) {
+  declare(valid, "shape", shape, one_of({"linear", "GIMP", "quadratic", "cubic"}),
           "shape function [-]");
-  declare(valid, "transfer", p.transfer, one_of({"FLIP", "APIC", "MLS"}),
+  declare(valid, "transfer", transfer, one_of({"FLIP", "APIC", "MLS"}),
           "velocity transfer: FLIP, affine (APIC), affine with moving-least-squares gradients "
           "(MLS) [-]");
+}
+
+}  // namespace
+
+List valid_solid_scheme(const Preset& p) {
+  List valid;
+  declare_transfer(valid, p.solid_shape, p.solid_transfer);
+  declare(valid, "damping", 0.0, between(0, 1),
+          "FLIP: share of a particle's velocity drawn to the grid's in a sound crossing of a cell "
+          "[-]");
+  return valid;
+}
+
+List valid_scheme(const Preset& p) {
+  List valid;
+  declare_transfer(valid, p.shape, p.transfer);
   declare(valid, "quadrature", p.quadrature, one_of({"particle", "cell"}),
           "where stress acts: at each particle, or as the mean of a cell through its centre [-]");
   declare(valid, "integration", p.integration, one_of({"MUSL", "midpoint"}),

@@ -13,6 +13,7 @@ struct Preset {
   std::string shape = "linear", transfer = "FLIP", quadrature = "cell", integration = "midpoint";
   std::string work = "exact";
   double damping = 0.03;
+  std::string solid_shape = "quadratic", solid_transfer = "MLS";
   // corrections
   double volume_relaxation = 0.15, pressure_relaxation = 1, heat_conduction = 1, split_length = 0.5;
   // artificial viscosity
@@ -27,6 +28,7 @@ Preset preset(const std::string& name, int dim);
 
 /// Schemas with the defaults of a preset.
 List valid_scheme(const Preset& preset);
+List valid_solid_scheme(const Preset& preset);
 List valid_shock_viscosity(const Preset& preset);
 
 }  // namespace brisance

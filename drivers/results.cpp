@@ -37,7 +37,7 @@ nlohmann::json json(double value) {
 
 }  // namespace
 
-Results::Results(const std::filesystem::path& folder, const List& scene)
+Results::Results(const std::filesystem::path& folder, const List& scene, const Ledger& ledger)
     : folder_(folder),
       scene_(scene.name()),
       title_(get<std::string>(scene, "title")),
@@ -47,7 +47,7 @@ Results::Results(const std::filesystem::path& folder, const List& scene)
       grid_(get<bool>(scene.sublist("output"), "grid")),
       particle_series_(folder / "particles.pvd"),
       grid_series_(folder / "grid.pvd"),
-      history_(Ledger::head()) {
+      history_(ledger.head()) {
   make_folder(folder_);
   write_input(scene, (folder_ / "input.xml").string(),
               "The complete input of this run, defaults included. brisance " +
@@ -71,10 +71,9 @@ void Results::add(const Snapshot& shot) {
         vtk::Column("density", t.density),
         vtk::Column("pressure", t.pressure),
         vtk::Column("energy", t.energy),
-        vtk::Column("material",
-                    std::vector<std::int32_t>(shot.material.begin(), shot.material.end())),
+        vtk::Column("material", std::vector<std::int32_t>(t.material.begin(), t.material.end())),
         vtk::Column("id", shot.id)};
-    for (const auto& field : shot.fields) columns.emplace_back(field.name, field.values);
+    for (const auto& field : t.fields) columns.emplace_back(field.name, field.values);
     const std::string file = numbered("particles");
     vtk::write_vtp(folder_ / file, interleaved(t.x, t.y, t.z), columns);
     particle_series_.add(shot.time, folder_ / file);

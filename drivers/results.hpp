@@ -25,7 +25,7 @@ struct Outcome {
 class Results {
  public:
   /// Makes the folder and writes the completed scene into it.
-  Results(const std::filesystem::path& folder, const List& scene);
+  Results(const std::filesystem::path& folder, const List& scene, const Ledger& ledger);
 
   /// Particles and grid at one time.
   void add(const Snapshot& shot);

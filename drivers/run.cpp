@@ -6,6 +6,7 @@
 #include <ctime>
 #include <optional>
 
+#include "drivers/cracks.hpp"
 #include "drivers/progress.hpp"
 #include "drivers/simulation.hpp"
 
@@ -45,10 +46,16 @@ RunResult run(const List& scene, const RunOptions& options) {
   const Ledger ledger(simulation->balance());
 
   std::optional<Results> results;
-  if (!options.folder.empty()) results.emplace(options.folder, scene);
+  if (!options.folder.empty()) results.emplace(options.folder, scene, ledger);
+  const List* crack_list = find_list(scene, "cracks");
+  std::optional<CrackPattern> cracks;
+  if (crack_list) cracks.emplace(*crack_list);
   const auto write = [&] {
+    if (!results && !cracks) return;
+    const Snapshot shot = simulation->snapshot();
+    if (cracks) cracks->observe(shot.table, shot.time);
     if (!results) return;
-    results->add(simulation->snapshot());
+    results->add(shot);
     results->add(ledger, simulation->balance());
   };
 
@@ -86,6 +93,8 @@ RunResult run(const List& scene, const RunOptions& options) {
   if (exact)
     for (const Measure& m : exact->measures(shot.table, shot.time))
       result.outcome.measures.push_back(m);
+  if (cracks)
+    for (const Measure& m : cracks->measures(shot.table)) result.outcome.measures.push_back(m);
   if (result.outcome.status == "finished")
     result.outcome.verdicts = judge(find_list(scene, "checks"), result.outcome.measures);
   if (results) {

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <optional>
 
 #include "core/transfer.hpp"
+#include "drivers/cracks.hpp"
 #include "drivers/exact.hpp"
 #include "drivers/ledger.hpp"
 #include "drivers/presets.hpp"
@@ -25,6 +27,25 @@ Preset chosen_preset(const List& given) {
   declare(valid, "geometry", "line", one_of({"line", "plane strain"}), "[-]");
   return preset(peek<std::string>(given, valid, "preset"),
                 peek<std::string>(given, valid, "geometry") == "line" ? 1 : 2);
+}
+
+bool has(const List& list, const std::string& name) {
+  const auto present = names(list);
+  return std::find(present.begin(), present.end(), name) != present.end();
+}
+
+/// The checked list of a solid that is given under a name, or nothing.
+std::optional<List> solid_named(const List& materials, const std::string& name) {
+  const List* given = find_list(materials, name);
+  if (!given || !has(*given, "law") || is_fluid(get<std::string>(*given, "law"))) return {};
+  return check(*given, valid_material(*given, List()));
+}
+
+/// Whether a law that is given is that of a solid.
+bool any_solid(const List& materials) {
+  for (const auto& name : list_names(materials))
+    if (solid_named(materials, name)) return true;
+  return false;
 }
 
 void add_grid(List& valid, int dim) {
@@ -65,22 +86,27 @@ void add_shape(List& valid, int dim) {
   declare_required<double>(disc, "radius", positive(), "radius [m]");
 }
 
-List valid_body(const List& given, const std::vector<std::string>& materials, int dim) {
+List valid_body(const List& given, const List& materials, int dim) {
   List valid;
-  declare_required<std::string>(valid, "material", one_of(materials), "name of its material [-]");
+  declare_required<std::string>(valid, "material", one_of(list_names(materials)),
+                                "name of its material [-]");
+  const auto solid = solid_named(materials, peek<std::string>(given, valid, "material"));
+  declare(valid, "edge", solid ? "points" : "cells", one_of({"points", "cells"}),
+          "whether it owns single points, or whole cells by their centres [-]");
   declare(valid, "particles per cell", 3, at_least(1) && at_most(16),
           "particles along each direction of a cell [-]");
   declare(valid, "initial state", "uniform", one_of({"uniform", "exact"}),
           "uniform, or that of the exact solution at time 0 [-]");
   if (peek<std::string>(given, valid, "initial state") == "uniform") {
-    declare_required<double>(valid, "density", positive(), "density [kg/m^3]");
-    const auto present = names(given);
-    const auto has = [&](const char* name) {
-      return std::find(present.begin(), present.end(), name) != present.end();
-    };
-    if (has("specific energy") && has("pressure"))
+    if (solid)
+      declare(valid, "density", get<double>(*solid, "density"), positive(), "density [kg/m^3]");
+    else
+      declare_required<double>(valid, "density", positive(), "density [kg/m^3]");
+    if (has(given, "specific energy") && has(given, "pressure"))
       refuse(given, "specific energy", "is given beside 'pressure': give one of the two");
-    if (has("specific energy"))
+    if (solid)
+      declare(valid, "pressure", 0.0, anything(), "pressure, compression positive [Pa]");
+    else if (has(given, "specific energy"))
       declare_required<double>(valid, "specific energy", at_least_zero(),
                                "specific internal energy [J/kg]");
     else
@@ -109,14 +135,24 @@ void add_range(List& list, const MeasureDoc& measure) {
           "greatest value that is right" + unit);
 }
 
-void add_checks(List& valid, const List* exact, int dim) {
-  List& checks =
-      declare_optional_list(valid, "checks", "what the run must reach; told by 'verify'");
-  for (const auto& measure : conservation_measures()) add_range(checks, measure);
-  if (!exact) return;
+/// What of a scene is measured beyond its balances.
+std::vector<MeasureDoc> special_measures(const List* exact, bool cracks, int dim) {
+  std::vector<MeasureDoc> docs;
+  if (cracks) docs = CrackPattern::measure_docs();
+  if (!exact) return docs;
   const auto solution = make_exact(check(*exact, valid_exact(*exact)));
   if (solution->least_dim() > dim) refuse(*exact, "solution", "needs a grid of more directions");
-  const auto measures = solution->measure_docs();
+  for (const auto& measure : solution->measure_docs()) docs.push_back(measure);
+  return docs;
+}
+
+void add_checks(List& valid, const List& materials, const List* exact, bool cracks, int dim) {
+  List& checks =
+      declare_optional_list(valid, "checks", "what the run must reach; told by 'verify'");
+  for (const auto& measure : balance_measures(list_names(materials), any_solid(materials)))
+    add_range(checks, measure);
+  const auto measures = special_measures(exact, cracks, dim);
+  if (measures.empty()) return;
   for (const auto& measure : measures) add_range(checks, measure);
 
   List& convergence =
@@ -145,13 +181,21 @@ void check_pairs(const List& scene, int dim) {
   if (nodes > 2e9) refuse(grid, "cells", "must be fewer than 2e9 in all");
 }
 
+void check_transfer(const List& scheme, const std::string& quadrature, bool midpoint) {
+  const auto text = [&](const char* name) { return get<std::string>(scheme, name); };
+  const std::string rule = broken_rule({text("shape"), text("transfer"), quadrature});
+  if (!rule.empty()) refuse(scheme, quadrature == "cell" ? "quadrature" : "transfer", rule);
+  if (!midpoint && text("transfer") != "FLIP")
+    refuse(scheme, "transfer", "must be 'FLIP' with MUSL");
+}
+
 void check_scheme(const List& scene) {
   const List& scheme = scene.sublist("scheme");
-  const auto text = [&](const char* name) { return get<std::string>(scheme, name); };
-  const std::string rule = broken_rule({text("shape"), text("transfer"), text("quadrature")});
-  if (!rule.empty()) refuse(scheme, text("quadrature") == "cell" ? "quadrature" : "transfer", rule);
-  if (text("integration") == "midpoint") return;
-  if (text("transfer") != "FLIP") refuse(scheme, "transfer", "must be 'FLIP' with MUSL");
+  const bool midpoint = get<std::string>(scheme, "integration") == "midpoint";
+  check_transfer(scheme, get<std::string>(scheme, "quadrature"), midpoint);
+  if (const List* solids = find_list(scheme, "solids"))
+    check_transfer(*solids, "particle", midpoint);
+  if (midpoint) return;
   for (const char* name : {"volume relaxation", "pressure relaxation", "heat conduction"})
     if (get<double>(scheme, name) > 0)
       refuse(scheme, name, "must be 0 with MUSL: it needs the midpoint's energy");
@@ -189,9 +233,12 @@ List valid_scene(const List& given) {
   add_grid(valid, dim);
   add_boundaries(valid, dim);
   add_time(valid, preset);
-  declare_list(valid, "scheme", "the method") = valid_scheme(preset);
-
+  List& scheme = declare_list(valid, "scheme", "the method");
+  scheme = valid_scheme(preset);
   const List given_materials = empty_or(find_list(given, "materials"));
+  if (any_solid(given_materials))
+    declare_list(scheme, "solids", "the method for solids") = valid_solid_scheme(preset);
+
   List& materials =
       declare_list(valid, "materials", "one list for each material, under a name of its own");
   for (const auto& name : list_names(given_materials))
@@ -199,18 +246,20 @@ List valid_scene(const List& given) {
         valid_material(*find_list(given_materials, name), valid_shock_viscosity(preset));
 
   const List given_bodies = empty_or(find_list(given, "bodies"));
-  List& bodies = declare_list(
-      valid, "bodies", "one list for each body; the first that holds a cell's centre owns it");
+  List& bodies =
+      declare_list(valid, "bodies", "one list for each body; the first that holds a place owns it");
   for (const auto& name : list_names(given_bodies))
     declare_list(bodies, name, "a body") =
-        valid_body(*find_list(given_bodies, name), list_names(given_materials), dim);
+        valid_body(*find_list(given_bodies, name), given_materials, dim);
 
   add_output(valid);
   const List* exact = find_list(given, "exact");
   List& exact_list =
       declare_optional_list(valid, "exact", "the known answer that the run is measured against");
   if (exact) exact_list = valid_exact(*exact);
-  add_checks(valid, exact, dim);
+  declare_optional_list(valid, "cracks", "measures what a hit does to concrete") =
+      CrackPattern::valid_parameters(dim);
+  add_checks(valid, given_materials, exact, find_list(given, "cracks") != nullptr, dim);
   return valid;
 }
 

@@ -35,9 +35,12 @@ class SimulationIn final : public Simulation {
     const List& materials = scene.sublist("materials");
     for (const auto& name : list_names(materials)) {
       auto group = make_group<G>(materials.sublist(name), scheme.sublist("artificial viscosity"));
+      const List& of_group = group->fluid() ? scheme : scheme.sublist("solids");
       group->label = name;
-      group->transfer = make_transfer<G>(transfer_choice(scheme));
+      group->velocity_class = state_.grid.mixed() && !group->fluid() ? 1 : 0;
+      group->transfer = make_transfer<G>(transfer_choice(of_group, group->fluid()));
       group->scheme.midpoint = state_.scheme.midpoint;
+      group->scheme.damping = get<double>(of_group, "damping");
       group->scheme.printed_work = get<std::string>(scheme, "MUSL work") == "printed";
       group->scheme.strain_length =
           cfl_ * state_.grid.lattice.h / get<double>(time, "largest volume change");
@@ -45,7 +48,7 @@ class SimulationIn final : public Simulation {
     }
     seed(state_, scene, exact);
     prepare(state_);
-    signals_ = begin_step(state_, others_);
+    fastest_ = begin_step(state_, others_);
     dt_ = stable_step();
   }
 
@@ -55,15 +58,15 @@ class SimulationIn final : public Simulation {
   long particle_count() const override { return state_.particles(); }
 
   void advance(double end) override {
-    if (state_.step > 0) signals_ = begin_step(state_, others_);
+    if (state_.step > 0) fastest_ = begin_step(state_, others_);
     dt_ = std::min(stable_step(), growth_ * dt_);
-    if (!(signals_.fastest < 1e299))
+    if (!(fastest_ < 1e299))
       throw std::runtime_error("step " + std::to_string(state_.step) + ", time " +
                                std::to_string(state_.time) +
                                " s: the state is no longer finite; try a smaller 'time/CFL'");
     const double left = end - state_.time;
     const bool last = dt_ >= left * (1 - 1e-12);
-    finish_step(state_, others_, signals_, last ? left : dt_);
+    finish_step(state_, others_, last ? left : dt_);
     if (last) state_.time = end;
   }
 
@@ -76,8 +79,10 @@ class SimulationIn final : public Simulation {
     b.outflow = state_.outflow;
     for (int d = 0; d < D; ++d) b.wall_impulse[d] = state_.wall_impulse[d];
     for (const auto& g : state_.groups) {
-      b.totals +=
+      const Totals of_group =
           g->totals(0, g->particles.count, g->transfer->affine_inertia(state_.grid.lattice.h));
+      b.totals += of_group;
+      b.materials.push_back({g->label, !g->fluid(), of_group});
       b.floors += g->floors;
     }
     return b;
@@ -120,16 +125,14 @@ class SimulationIn final : public Simulation {
  private:
   State<G> state_;
   Exchange<G> others_;
-  Signals signals_;
+  double fastest_ = 0;  ///< signal over the grid [m/s]
   double cfl_ = 0, growth_ = 0, dt_ = 0;
 
-  double stable_step() const {
-    return cfl_ * state_.grid.lattice.h / std::max(signals_.fastest, 1e-300);
-  }
+  double stable_step() const { return cfl_ * state_.grid.lattice.h / std::max(fastest_, 1e-300); }
 
-  static TransferChoice transfer_choice(const List& scheme) {
+  static TransferChoice transfer_choice(const List& scheme, bool fluid) {
     return {get<std::string>(scheme, "shape"), get<std::string>(scheme, "transfer"),
-            get<std::string>(scheme, "quadrature")};
+            fluid ? get<std::string>(scheme, "quadrature") : "particle"};
   }
 
   static Grid<G> make_grid(const List& scene) {
@@ -149,17 +152,23 @@ class SimulationIn final : public Simulation {
       ends.side[d][1] =
           side_of(get<std::string>(scene.sublist("boundaries"), std::string(axes[d]) + " high"));
     }
-    ends.mirrors = get<std::string>(scheme, "shape") != "linear";
-    GridNeeds needs;
-    needs.quadrature = get<std::string>(scheme, "quadrature") == "cell";
-    const auto limited = [](const List& q) {
-      return get<std::string>(q, "form") != "none" && get<double>(q, "limiter") > 0;
-    };
-    needs.limiter = limited(scheme.sublist("artificial viscosity"));
+    bool fluids = false, solids = false, limited = false;
     const List& materials = scene.sublist("materials");
-    for (const auto& name : list_names(materials))
-      if (const List* own = find_list(materials.sublist(name), "artificial viscosity"))
-        needs.limiter = needs.limiter || limited(*own);
+    for (const auto& name : list_names(materials)) {
+      const List& material = materials.sublist(name);
+      const bool fluid = is_fluid(get<std::string>(material, "law"));
+      (fluid ? fluids : solids) = true;
+      if (!fluid) continue;
+      const List* own = find_list(material, "artificial viscosity");
+      const List& q = own ? *own : scheme.sublist("artificial viscosity");
+      limited = limited || (get<std::string>(q, "form") != "none" && get<double>(q, "limiter") > 0);
+    }
+    const auto linear = [](const List& of) { return get<std::string>(of, "shape") == "linear"; };
+    ends.mirrors = (fluids && !linear(scheme)) || (solids && !linear(scheme.sublist("solids")));
+    GridNeeds needs;
+    needs.classes = fluids && solids ? 2 : 1;
+    needs.quadrature = fluids && get<std::string>(scheme, "quadrature") == "cell";
+    needs.limiter = limited;
     return Grid<G>(Lattice<D>(low, count, get<double>(grid, "cell size")), ends, needs);
   }
 
@@ -167,7 +176,6 @@ class SimulationIn final : public Simulation {
     const List& scheme = scene.sublist("scheme");
     StepScheme s;
     s.midpoint = get<std::string>(scheme, "integration") == "midpoint";
-    s.damping = get<double>(scheme, "damping");
     s.split_length = get<double>(scheme, "split length");
     s.rates = {get<double>(scheme, "volume relaxation"), get<double>(scheme, "pressure relaxation"),
                get<double>(scheme, "heat conduction")};
@@ -202,21 +210,26 @@ class SimulationIn final : public Simulation {
     append(t.energy, energy);
     t.density.resize(all);
     for (std::size_t k = before; k < all; ++k) t.density[k] = t.mass[k] / t.volume[k];
-    shot.material.resize(all, material);
+    t.material.resize(all, material);
     const auto ids = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), p.id);
     for (std::size_t k = 0; k < count; ++k) shot.id.push_back(ids(k));
 
-    const auto names = group.history_fields();
-    for (std::size_t k = 0; k < names.size(); ++k) {
-      if (names[k].name == "energy") continue;
-      auto field = std::find_if(shot.fields.begin(), shot.fields.end(),
-                                [&](const auto& f) { return f.name == names[k].name; });
-      if (field == shot.fields.end())
-        field =
-            shot.fields.insert(field, {names[k].name, names[k].unit, std::vector<double>(before)});
-      append(field->values, part(p.history, static_cast<int>(k)));
+    const auto append_field = [&](const FieldName& named, const Array<double>& values) {
+      auto field = std::find_if(t.fields.begin(), t.fields.end(),
+                                [&](const auto& f) { return f.name == named.name; });
+      if (field == t.fields.end())
+        field = t.fields.insert(field, {named.name, named.unit, std::vector<double>(before)});
+      append(field->values, values);
+    };
+    if (group.stress() == Stress::tensor) {
+      const char* const components[] = {"xx", "yy", "zz", "xy", "yz", "zx"};
+      for (int k = 0; k < G::stress_components; ++k)
+        append_field({std::string("stress ") + components[k], "Pa"}, part(p.stress, k));
     }
-    for (auto& field : shot.fields) field.values.resize(all);
+    const auto names = group.history_fields();
+    for (std::size_t k = 0; k < names.size(); ++k)
+      if (names[k].name != "energy") append_field(names[k], part(p.history, static_cast<int>(k)));
+    for (auto& field : t.fields) field.values.resize(all);
   }
 };
 

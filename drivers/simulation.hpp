@@ -14,14 +14,7 @@ namespace brisance {
 struct Snapshot {
   double time = 0;  // [s]
   ParticleTable table;
-  std::vector<int> material;     ///< number of the material, in the order of the scene
   std::vector<std::int64_t> id;  ///< unique; children of a split get new ones
-  struct Field {
-    std::string name, unit;
-    std::vector<double> values;
-  };
-  std::vector<Field>
-      fields;  ///< state variables beyond energy; 0 where a material does not have one
 };
 
 /// What a scene takes.

@@ -1,5 +1,5 @@
 #pragma once
-// A group of particles of one material: the kernels that carry its law to its particles.
+// A group of particles of one material, as far as fluids and solids are alike.
 #include "core/geometry.hpp"
 #include "core/group.hpp"
 #include "materials/point.hpp"
@@ -7,7 +7,7 @@
 namespace brisance {
 
 template <class G, class M>
-class MaterialGroup final : public Group<G> {
+class MaterialGroup : public Group<G> {
  public:
   static constexpr int D = G::dim;
   using History = typename M::History;
@@ -28,6 +28,7 @@ class MaterialGroup final : public Group<G> {
     needs.history = M::field_count;
     needs.affine = this->transfer->affine();
     needs.work = this->scheme.midpoint;
+    needs.half_stress = this->scheme.midpoint && !M::fluid;
     needs.relaxation = needs.relaxation && M::fluid;
     needs.extent = D > 1 && (this->transfer->sized() || (needs.extent && M::fluid));
     this->particles = Particles<G>(capacity, needs);
@@ -40,13 +41,12 @@ class MaterialGroup final : public Group<G> {
         KOKKOS_LAMBDA(const int p) {
           const double given = point.particles.stress(p, 0);
           point.save(p, point.material.initial(point.rho(p), given, from_energy));
+          if constexpr (!M::fluid) {
+            Sym3 stress;
+            for (int k = 0; k < 3; ++k) stress[k] = -given;
+            point.particles.template set_sigma<M::stress>(p, stress);
+          }
         });
-  }
-
-  void start() override {
-    const Point point = this->point();
-    each(
-        "start", KOKKOS_LAMBDA(const int p) { point.refresh(p); });
   }
 
   Signals signals(double h) const override {
@@ -64,139 +64,14 @@ class MaterialGroup final : public Group<G> {
           in_matter = most(in_matter, finite(signal));
           fastest = most(fastest, finite(most(v + signal, strain_length * fabs(trace(rate)))));
         },
-        Kokkos::Max<double>(s.fastest), Kokkos::Max<double>(s.in_matter));
-    return {most(s.fastest, 0), most(s.in_matter, 0)};
-  }
-
-  void half_step(const Grid<G>& grid, double dt) override {
-    const Point point = this->point();
-    const Around around(grid);
-    each(
-        "half step", KOKKOS_LAMBDA(const int p) {
-          const Strain in = point.strain(p, 0.5 * dt, around);
-          History h = point.load(p);
-          const Response r =
-              point.material.update(in, point.particles.template sigma<M::stress>(p), h);
-          point.particles.template set_sigma<M::stress>(p, r.stress);
-        });
-  }
-
-  void finish(double dt) override {
-    const Point point = this->point();
-    each(
-        "strain", KOKKOS_LAMBDA(const int p) {
-          const Sym3 rate = strain_rate<G>(point.particles.matrix(point.particles.gradient, p));
-          point.particles.vol(p) *= point.growth(rate, dt);
-        });
-    receive_energy("receive energy");
-  }
-
-  void update(const Grid<G>& grid, double dt) override {
-    const Point point = this->point();
-    const Around around(grid);
-    const bool printed = this->scheme.printed_work;
-    each(
-        "update", KOKKOS_LAMBDA(const int p) {
-          Strain in = point.strain(p, dt, around);
-          in.viscous_before = true;
-          if (printed) in.volume_change = trace(in.rate) * dt / in.rho1;
-          History h = point.load(p);
-          const Response r =
-              point.material.update(in, point.particles.template sigma<M::stress>(p), h);
-          point.particles.vol(p) = point.particles.m(p) / in.rho1;
-          point.particles.template set_sigma<M::stress>(p, r.stress);
-          point.save(p, h);
-        });
-  }
-
-  void correct_volume(double rate) override {
-    const Point point = this->point();
-    each(
-        "correct volume", KOKKOS_LAMBDA(const int p) {
-          const double s = point.particles.scratch(p, 0), emptiness = point.particles.scratch(p, 1);
-          if (emptiness > 0 || !(s > 0)) return;
-          point.particles.vol(p) *= clamp(1 - rate * (1 - 1 / s), 0.7, 1.4);
-          point.refresh(p);
-        });
-  }
-
-  void load_pressure() override {
-    const Point point = this->point();
-    each(
-        "load pressure", KOKKOS_LAMBDA(const int p) {
-          point.particles.scratch(p, 0) = -point.particles.template sigma<M::stress>(p)[0];
-        });
-  }
-
-  void propose_exchange(double rate, double dt, double h_cell) override {
-    const Point point = this->point();
-    each(
-        "propose exchange", KOKKOS_LAMBDA(const int p) {
-          const History h = point.load(p);
-          const double pressure = point.pressure(p), smooth = point.smooth_pressure(p);
-          double z = 0;
-          if (pressure > 0) {
-            const double rho = point.rho(p), c = point.material.sound_speed(rho, h);
-            const double modulus = rho * c * c * smooth / pressure;
-            const double most_z = 0.3 * least(1, point.particles.m(p) * h.energy /
-                                                     (pressure * point.particles.vol(p)));
-            z = clamp(least(1, rate * dt * c / h_cell) * (pressure - smooth) / modulus, -most_z,
-                      most_z);
-          }
-          point.particles.scratch(p, 1) = z;
-        });
-  }
-
-  void exchange_volume() override {
-    const Point point = this->point();
-    each(
-        "exchange volume", KOKKOS_LAMBDA(const int p) {
-          const History h = point.load(p);
-          const double inner = point.particles.m(p) * h.energy, volume = point.particles.vol(p);
-          const double gain = point.particles.scratch(p, 1) * volume;
-          point.particles.scratch(p, 0) = inner > 0 ? point.smooth_pressure(p) * gain / inner : 0;
-          point.particles.scratch(p, 1) = inner;
-          point.particles.vol(p) = volume + gain;
-        });
-  }
-
-  void exchange_energy() override {
-    const Point point = this->point();
-    each(
-        "exchange energy", KOKKOS_LAMBDA(const int p) {
-          point.particles.work(p, 0) = -point.particles.scratch(p, 0) * point.load(p).energy;
-        });
-    receive_energy("receive exchange");
-  }
-
-  void load_heat(double rate, double dt) override {
-    const Point point = this->point();
-    each(
-        "load heat", KOKKOS_LAMBDA(const int p) {
-          const double compression = -trace(point.particles.matrix(point.particles.gradient, p));
-          point.particles.scratch(p, 0) = point.load(p).energy;
-          point.particles.scratch(p, 1) =
-              point.particles.m(p) * clamp(rate * dt * compression, 0, 0.5);
-        });
-  }
-
-  void conduct() override {
-    const Point point = this->point();
-    each(
-        "conduct", KOKKOS_LAMBDA(const int p) {
-          const double share = point.particles.scratch(p, 1) / point.particles.m(p);
-          if (!(share > 0)) return;
-          History h = point.load(p);
-          h.energy -= share * point.particles.scratch(p, 0);
-          point.save(p, h);
-          point.refresh(p);
-        });
+        Kokkos::Max<double>(s.over_grid), Kokkos::Max<double>(s.in_matter));
+    return {most(s.over_grid, 0), most(s.in_matter, 0)};
   }
 
   Totals totals(int begin, int end, double affine_inertia) const override;
   void report(const Array<double>& pressure, const Array<double>& energy) const override;
 
- private:
+ protected:
   M material;
 
   using Point = MaterialPoint<G, M>;
@@ -215,35 +90,6 @@ class MaterialGroup final : public Group<G> {
   KOKKOS_INLINE_FUNCTION static double finite(double speed) {
     return speed < 1e300 ? speed : 1e300;
   }
-
-  /// Adds the work column [J/kg] to the energies and sets the stress. No energy falls below a fifth
-  /// of what it was in one go: what a particle lacks for that, the others of its bin give, in
-  /// proportion to what they can spare.
-  void receive_energy(const char* name) {
-    const Point point = this->point();
-    const auto first = point.particles.first;
-    int held = 0;
-    Kokkos::parallel_reduce(
-        name, Kokkos::RangePolicy<Space>(0, static_cast<int>(first.extent(0)) - 2),
-        KOKKOS_LAMBDA(const int bin, int& sum) {
-          double lacking = 0, spare = 0;
-          for (int p = first(bin); p < first(bin + 1); ++p) {
-            const double e = point.load(p).energy, margin = 0.8 * e + point.particles.work(p, 0);
-            (margin < 0 ? lacking : spare) += point.particles.m(p) * fabs(margin);
-          }
-          const double share = lacking > 0 ? (spare > lacking ? lacking / spare : 1) : 0;
-          sum += lacking > spare;
-          for (int p = first(bin); p < first(bin + 1); ++p) {
-            History h = point.load(p);
-            const double margin = 0.8 * h.energy + point.particles.work(p, 0);
-            h.energy = 0.2 * h.energy + (margin < 0 ? 0 : margin * (1 - share));
-            point.save(p, h);
-            point.refresh(p);
-          }
-        },
-        held);
-    this->floors += held;
-  }
 };
 
 template <class G, class M>
@@ -251,35 +97,35 @@ Totals MaterialGroup<G, M>::totals(int begin, int end, double affine_inertia) co
   const Point point = this->point();
   const bool affine = point.particles.affine.extent(1) > 0;
   // Fixed blocks, summed in order: the same bits for any number of threads.
-  constexpr int block = 1024, sums = D + 3;
+  constexpr int block = 1024;
   const int blocks = (end - begin + block - 1) / block;
-  const Table<double> partial("partial totals", blocks, sums);
+  const Array<Totals> partial("partial totals", blocks);
   Kokkos::parallel_for(
       "totals", Kokkos::RangePolicy<Space>(0, blocks), KOKKOS_LAMBDA(const int b) {
-        double sum[sums] = {};
+        Totals sum;
         const int last = begin + (b + 1) * block < end ? begin + (b + 1) * block : end;
         for (int p = begin + b * block; p < last; ++p) {
+          const History h = point.load(p);
           const double m = point.particles.m(p);
           const Vec<D> v = point.particles.v(p);
           double twice = dot(v, v);
           if (affine)
             for (int k = 0; k < D * D; ++k)
               twice += affine_inertia * square(point.particles.affine(p, k));
-          for (int d = 0; d < D; ++d) sum[d] += m * v[d];
-          sum[D] += m;
-          sum[D + 1] += 0.5 * m * twice;
-          sum[D + 2] += m * M::energy(point.load(p));
+          for (int d = 0; d < D; ++d) sum.momentum[d] += m * v[d];
+          sum.mass += m;
+          sum.kinetic += 0.5 * m * twice;
+          sum.internal += m * M::energy(h);
+          if constexpr (!M::fluid)
+            sum.work.add(point.material.energies(point.particles.template sigma<M::stress>(p),
+                                                 point.rho(p), h),
+                         m);
         }
-        for (int k = 0; k < sums; ++k) partial(b, k) = sum[k];
+        partial(b) = sum;
       });
   const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), partial);
   Totals t;
-  for (int b = 0; b < blocks; ++b) {
-    for (int d = 0; d < D; ++d) t.momentum[d] += host(b, d);
-    t.mass += host(b, D);
-    t.kinetic += host(b, D + 1);
-    t.internal += host(b, D + 2);
-  }
+  for (int b = 0; b < blocks; ++b) t += host(b);
   return t;
 }
 
@@ -289,7 +135,10 @@ void MaterialGroup<G, M>::report(const Array<double>& pressure, const Array<doub
   Kokkos::parallel_for(
       "report", range(), KOKKOS_LAMBDA(const int p) {
         const History h = point.load(p);
-        pressure(p) = -trace(point.material.state(point.rho(p), h).stress) / 3;
+        if constexpr (M::fluid)
+          pressure(p) = -trace(point.material.state(point.rho(p), h).stress) / 3;
+        else
+          pressure(p) = -trace(point.particles.template sigma<M::stress>(p)) / 3;
         energy(p) = M::energy(h);
       });
 }

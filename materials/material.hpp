@@ -41,12 +41,6 @@ struct Response {
   double sound_speed = 0;  ///< [m/s]
 };
 
-/// Where the work done on a point of a solid has gone. [J/kg]
-struct Energies {
-  double elastic = 0;                               ///< would come back on unloading
-  double plastic = 0, damage = 0, decohesion = 0;  ///< dissipated, never less than before
-};
-
 /// One state variable of a law.
 template <class History>
 struct Field {

@@ -50,6 +50,12 @@ struct MaterialPoint {
   KOKKOS_INLINE_FUNCTION static double growth(const Sym3& rate, double dt) {
     return most(1 + trace(rate) * dt, 0.1);
   }
+  /// Solids: the stress turned with the rigid rotation of a step, as are the directions in h.
+  KOKKOS_INLINE_FUNCTION Sym3 turn(int p, double dt, [[maybe_unused]] History& h) const {
+    const Mat<3> r = rotation<G>(particles.matrix(particles.gradient, p), dt);
+    if constexpr (M::directed) M::rotate(h, r);
+    return turned<G>(particles.template sigma<M::stress>(p), r);
+  }
   KOKKOS_INLINE_FUNCTION Strain strain(int p, double dt, const Surroundings<G>& around) const {
     Strain in;
     in.rate = strain_rate<G>(particles.matrix(particles.gradient, p));

@@ -1,6 +1,7 @@
 #include "materials/registry.hpp"
 
 #include <Teuchos_ParameterList.hpp>
+#include <algorithm>
 
 #include "materials/viscosity.hpp"
 
@@ -13,18 +14,36 @@ std::vector<std::string> names_of(TypeList<Eos...>) {
 }
 
 template <class... Eos>
-void add_parameters(TypeList<Eos...>, const std::string& law, List& valid) {
+void add_fluid(TypeList<Eos...>, const std::string& law, List& valid) {
   ((law == Eos::name ? void(valid.setParameters(Eos::valid_parameters())) : void()), ...);
+}
+
+template <class... Law>
+void add_solid(TypeList<Law...>, const List& given, const std::string& law, List& valid) {
+  ((law == Law::name ? void(valid.setParameters(Law::valid_parameters(given))) : void()), ...);
+}
+
+bool contains(const std::vector<std::string>& words, const std::string& word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
 }
 
 }  // namespace
 
-std::vector<std::string> law_names() { return names_of(Fluids{}); }
+std::vector<std::string> law_names() {
+  std::vector<std::string> names = names_of(Fluids{});
+  for (const auto& solid : names_of(Solids{})) names.push_back(solid);
+  return names;
+}
+
+bool is_fluid(const std::string& law) { return contains(names_of(Fluids{}), law); }
 
 List valid_material(const List& given, const List& shock) {
   List valid;
   declare_required<std::string>(valid, "law", one_of(law_names()), "constitutive law [-]");
-  add_parameters(Fluids{}, peek<std::string>(given, valid, "law"), valid);
+  const std::string law = peek<std::string>(given, valid, "law");
+  add_solid(Solids{}, given, law, valid);
+  if (!is_fluid(law)) return valid;
+  add_fluid(Fluids{}, law, valid);
   declare_optional_list(valid, "viscosity", "Newtonian viscosity; absent: inviscid") =
       Newtonian::valid_parameters();
   declare_optional_list(valid, "artificial viscosity",

@@ -1,13 +1,17 @@
 #pragma once
 // Which materials there are. To add a fluid, write its equation of state (see perfect_gas) and add
-// it to Fluids.
+// it to Fluids; to add a solid, write its law (see elastic) and add it to Solids.
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "core/group.hpp"
 #include "core/parameters.hpp"
+#include "materials/concrete.hpp"
+#include "materials/drucker_prager.hpp"
+#include "materials/elastic.hpp"
 #include "materials/perfect_gas.hpp"
+#include "materials/von_mises.hpp"
 
 namespace brisance {
 
@@ -15,12 +19,16 @@ template <class... T>
 struct TypeList {};
 
 using Fluids = TypeList<PerfectGas>;
+using Solids = TypeList<Elastic, VonMises, DruckerPrager, Concrete>;
 
 /// The names of the laws, for "law".
 std::vector<std::string> law_names();
+/// Whether a law is that of a fluid; false for names that are none.
+bool is_fluid(const std::string& law);
 
-/// The schema of one material, from what was given: its law, and the optional lists "viscosity" and
-/// "artificial viscosity". `shock` is the schema of the latter, with the defaults of the scheme.
+/// The schema of one material, from what was given: its law, and for fluids the optional lists
+/// "viscosity" and "artificial viscosity". `shock` is the schema of the latter, with the defaults
+/// of the scheme.
 List valid_material(const List& given, const List& shock);
 
 /// An empty group of the material of a checked list; `shock` is what the scheme sets for materials

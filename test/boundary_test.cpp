@@ -155,14 +155,14 @@ TEST(Boundary, CellsBeyondAFreeEndAreEmptyAndOthersCopies) {
   const Lattice<1> lattice = line(4);  // cells 0 .. 3, halo -1 and 4
   const auto after = [&](Side side) {
     const auto field = numbered(lattice);
-    fill_cells<1>(field, 2, 1, -7, lattice, ends<1>(side));
+    fill_cells<1>(field, 1, lattice, ends<1>(side));
     return field;
   };
   const auto wall = after(Side::wall), open = after(Side::free), periodic = after(Side::periodic);
   EXPECT_EQ(at(wall, -1, 1), at(wall, 0, 1));
   EXPECT_EQ(at(wall, 4, 0), at(wall, 3, 0));
-  EXPECT_EQ(at(open, -1, 1), -7);
-  EXPECT_EQ(at(open, 4, 1), -7);
+  EXPECT_EQ(at(open, -1, 1), 0);
+  EXPECT_EQ(at(open, 4, 1), 0);
   EXPECT_EQ(at(open, 4, 0), at(open, 3, 0));
   EXPECT_EQ(at(periodic, -1, 1), at(periodic, 3, 1));
   EXPECT_EQ(at(periodic, 4, 0), at(periodic, 0, 0));

@@ -167,9 +167,9 @@ TEST(Bodies, OfSeveralMaterialsKeepTheirOwnLaw) {
   s.sublist("bodies").sublist("rest").set("material", "helium");
   const auto shot = make_simulation(complete_scene(s), nullptr)->snapshot();
   for (std::size_t p = 0; p < shot.table.size(); ++p)
-    EXPECT_NEAR(shot.table.energy[p], shot.material[p] == 0 ? 1 / 0.4 : 1 / 0.667, 1e-14);
-  EXPECT_EQ(shot.material.front(), 0);
-  EXPECT_EQ(shot.material.back(), 1);
+    EXPECT_NEAR(shot.table.energy[p], shot.table.material[p] == 0 ? 1 / 0.4 : 1 / 0.667, 1e-14);
+  EXPECT_EQ(shot.table.material.front(), 0);
+  EXPECT_EQ(shot.table.material.back(), 1);
 }
 
 TEST(Bodies, ParticlesHaveUniqueIds) {

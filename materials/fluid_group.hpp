@@ -1,0 +1,178 @@
+#pragma once
+// The steps of a fluid: its stress follows from density and energy.
+#include "materials/group_impl.hpp"
+
+namespace brisance {
+
+template <class G, class M>
+class FluidGroup final : public MaterialGroup<G, M> {
+ public:
+  using MaterialGroup<G, M>::MaterialGroup;
+  using History = typename M::History;
+
+  void start() override {
+    const Point point = this->point();
+    this->each(
+        "start", KOKKOS_LAMBDA(const int p) { point.refresh(p); });
+  }
+
+  void half_step(const Grid<G>& grid, double dt) override {
+    const Point point = this->point();
+    const Around around(grid);
+    this->each(
+        "half step", KOKKOS_LAMBDA(const int p) {
+          const Strain in = point.strain(p, 0.5 * dt, around);
+          History h = point.load(p);
+          const Response r =
+              point.material.update(in, point.particles.template sigma<M::stress>(p), h);
+          point.particles.template set_sigma<M::stress>(p, r.stress);
+        });
+  }
+
+  void finish(const Grid<G>&, double dt) override {
+    const Point point = this->point();
+    this->each(
+        "strain", KOKKOS_LAMBDA(const int p) {
+          const Sym3 rate = strain_rate<G>(point.particles.matrix(point.particles.gradient, p));
+          point.particles.vol(p) *= point.growth(rate, dt);
+        });
+    receive_energy("receive energy");
+  }
+
+  void update(const Grid<G>& grid, double dt) override {
+    const Point point = this->point();
+    const Around around(grid);
+    const bool printed = this->scheme.printed_work;
+    this->each(
+        "update", KOKKOS_LAMBDA(const int p) {
+          Strain in = point.strain(p, dt, around);
+          in.viscous_before = true;
+          if (printed) in.volume_change = trace(in.rate) * dt / in.rho1;
+          History h = point.load(p);
+          const Response r =
+              point.material.update(in, point.particles.template sigma<M::stress>(p), h);
+          point.particles.vol(p) = point.particles.m(p) / in.rho1;
+          point.particles.template set_sigma<M::stress>(p, r.stress);
+          point.save(p, h);
+        });
+  }
+
+  void correct_volume(double rate) override {
+    const Point point = this->point();
+    this->each(
+        "correct volume", KOKKOS_LAMBDA(const int p) {
+          const double s = point.particles.scratch(p, 0), emptiness = point.particles.scratch(p, 1);
+          if (emptiness > 0 || !(s > 0)) return;
+          point.particles.vol(p) *= clamp(1 - rate * (1 - 1 / s), 0.7, 1.4);
+          point.refresh(p);
+        });
+  }
+
+  void load_pressure() override {
+    const Point point = this->point();
+    this->each(
+        "load pressure", KOKKOS_LAMBDA(const int p) {
+          point.particles.scratch(p, 0) = -point.particles.template sigma<M::stress>(p)[0];
+        });
+  }
+
+  void propose_exchange(double rate, double dt, double h_cell) override {
+    const Point point = this->point();
+    this->each(
+        "propose exchange", KOKKOS_LAMBDA(const int p) {
+          const History h = point.load(p);
+          const double pressure = point.pressure(p), smooth = point.smooth_pressure(p);
+          double z = 0;
+          if (pressure > 0) {
+            const double rho = point.rho(p), c = point.material.sound_speed(rho, h);
+            const double modulus = rho * c * c * smooth / pressure;
+            const double most_z = 0.3 * least(1, point.particles.m(p) * h.energy /
+                                                     (pressure * point.particles.vol(p)));
+            z = clamp(least(1, rate * dt * c / h_cell) * (pressure - smooth) / modulus, -most_z,
+                      most_z);
+          }
+          point.particles.scratch(p, 1) = z;
+        });
+  }
+
+  void exchange_volume() override {
+    const Point point = this->point();
+    this->each(
+        "exchange volume", KOKKOS_LAMBDA(const int p) {
+          const History h = point.load(p);
+          const double inner = point.particles.m(p) * h.energy, volume = point.particles.vol(p);
+          const double gain = point.particles.scratch(p, 1) * volume;
+          point.particles.scratch(p, 0) = inner > 0 ? point.smooth_pressure(p) * gain / inner : 0;
+          point.particles.scratch(p, 1) = inner;
+          point.particles.vol(p) = volume + gain;
+        });
+  }
+
+  void exchange_energy() override {
+    const Point point = this->point();
+    this->each(
+        "exchange energy", KOKKOS_LAMBDA(const int p) {
+          point.particles.work(p, 0) = -point.particles.scratch(p, 0) * point.load(p).energy;
+        });
+    receive_energy("receive exchange");
+  }
+
+  void load_heat(double rate, double dt) override {
+    const Point point = this->point();
+    this->each(
+        "load heat", KOKKOS_LAMBDA(const int p) {
+          const double compression = -trace(point.particles.matrix(point.particles.gradient, p));
+          point.particles.scratch(p, 0) = point.load(p).energy;
+          point.particles.scratch(p, 1) =
+              point.particles.m(p) * clamp(rate * dt * compression, 0, 0.5);
+        });
+  }
+
+  void conduct() override {
+    const Point point = this->point();
+    this->each(
+        "conduct", KOKKOS_LAMBDA(const int p) {
+          const double share = point.particles.scratch(p, 1) / point.particles.m(p);
+          if (!(share > 0)) return;
+          History h = point.load(p);
+          h.energy -= share * point.particles.scratch(p, 0);
+          point.save(p, h);
+          point.refresh(p);
+        });
+  }
+
+ private:
+  using typename MaterialGroup<G, M>::Around;
+  using typename MaterialGroup<G, M>::Point;
+
+  /// Adds the work column [J/kg] to the energies and sets the stress. No energy falls below a fifth
+  /// of what it was in one go: what a particle lacks for that, the others of its bin give, in
+  /// proportion to what they can spare.
+  void receive_energy(const char* name) {
+    const Point point = this->point();
+    const auto first = point.particles.first;
+    int held = 0;
+    Kokkos::parallel_reduce(
+        name, Kokkos::RangePolicy<Space>(0, static_cast<int>(first.extent(0)) - 2),
+        KOKKOS_LAMBDA(const int bin, int& sum) {
+          double lacking = 0, spare = 0;
+          for (int p = first(bin); p < first(bin + 1); ++p) {
+            const double e = point.load(p).energy, margin = 0.8 * e + point.particles.work(p, 0);
+            (margin < 0 ? lacking : spare) += point.particles.m(p) * fabs(margin);
+          }
+          const double share = lacking > 0 ? (spare > lacking ? lacking / spare : 1) : 0;
+          sum += lacking > spare;
+          for (int p = first(bin); p < first(bin + 1); ++p) {
+            History h = point.load(p);
+            const double margin = 0.8 * h.energy + point.particles.work(p, 0);
+            h.energy = 0.2 * h.energy + (margin < 0 ? 0 : margin * (1 - share));
+            point.save(p, h);
+            point.refresh(p);
+          }
+        },
+        held);
+    this->floors += held;
+  }
+};
+
+}  // namespace brisance
