@@ -1,0 +1,41 @@
+#pragma once
+// What laws of elastic-plastic solids have in common: their state variables and where the work
+// goes.
+#include "materials/solid.hpp"
+
+namespace brisance {
+
+struct Plastic : Solid {
+  struct History {
+    double energy = 0;
+    double plastic_strain = 0;  ///< sum of sqrt(2/3 de : de) of the plastic deviator
+    double plastic_work = 0;
+  };
+  static constexpr int field_count = 3;
+  static constexpr Field<History> fields[field_count] = {
+      {"energy", "J/kg", &History::energy},
+      {"plastic strain", "-", &History::plastic_strain},
+      {"plastic work", "J/kg", &History::plastic_work}};
+
+  using Solid::Solid;
+
+  KOKKOS_INLINE_FUNCTION History initial(double, double, bool) const { return {}; }
+
+  KOKKOS_INLINE_FUNCTION Energies energies(const Sym3& stress, double rho, const History& h) const {
+    Energies e;
+    e.elastic = intact.energy(stress) / rho;
+    e.plastic = h.plastic_work;
+    return e;
+  }
+};
+
+/// Work per volume on the plastic strain C^-1 : (trial - now) of a step by the mean of its
+/// stresses: what is missing of (old + now) / 2 : de after the elastic energy has been paid, to the
+/// last digit. Zero instead where a step is so long that it crosses the yield surface to the other
+/// side and the mean says nothing. [J/m^3]
+KOKKOS_INLINE_FUNCTION double plastic_work(const Isotropic& moduli, const Sym3& old,
+                                           const Sym3& trial, const Sym3& now) {
+  return most(moduli.work(middle(old, now), added(trial, -1, now)), 0);
+}
+
+}  // namespace brisance

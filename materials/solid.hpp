@@ -1,0 +1,44 @@
+#pragma once
+// What all laws of solids have in common: isotropic elasticity and a density free of stress.
+#include "core/particles.hpp"
+#include "materials/isotropic.hpp"
+#include "materials/material.hpp"
+
+namespace Teuchos {
+class ParameterList;
+}
+
+namespace brisance {
+
+struct Solid {
+  static constexpr Stress stress = Stress::tensor;
+  static constexpr bool fluid = false;
+  static constexpr bool directed = false;
+
+  Isotropic intact;     ///< moduli of sound matter
+  double rho_rest = 0;  ///< [kg/m^3]
+
+  explicit Solid(const Teuchos::ParameterList& list);
+  static Teuchos::ParameterList valid_parameters();
+
+  double density() const { return rho_rest; }
+
+  /// Of longitudinal waves. [m/s]
+  KOKKOS_INLINE_FUNCTION double speed(double rho) const { return sqrt(intact.constrained() / rho); }
+  template <class History>
+  KOKKOS_INLINE_FUNCTION double sound_speed(double rho, const History&) const {
+    return speed(rho);
+  }
+  KOKKOS_INLINE_FUNCTION double signal_speed(const Sym3&, double, double c, double) const {
+    return c;
+  }
+  template <class History>
+  KOKKOS_INLINE_FUNCTION static double energy(const History& h) {
+    return h.energy;
+  }
+};
+
+/// The strain of a step.
+KOKKOS_INLINE_FUNCTION Sym3 increment(const Strain& in) { return added({}, in.dt, in.rate); }
+
+}  // namespace brisance

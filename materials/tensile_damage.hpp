@@ -1,0 +1,68 @@
+#pragma once
+// Damage of brittle solids in tension, from microcracks that grow with the volumetric strain:
+// Taylor, Chen & Kuszmaul (1986), and the loss of ellipticity that ends it: Rudnicki & Rice (1975).
+#include "materials/isotropic.hpp"
+
+namespace brisance {
+
+struct TensileDamage {
+  double nu = 0;      ///< Poisson's ratio of sound matter [-]
+  Isotropic intact;   ///< its moduli
+  double growth = 0;  ///< (5/2) k (K_IC / (rho C))^2, C = sqrt(E / rho) [1/s^2]
+  double m = 6;       ///< exponent of the flaw density, N = k eps_v^m [-]
+
+  /// E [Pa], rho [kg/m^3], toughness K_IC [Pa m^0.5], flaws k [1/m^3].
+  TensileDamage(double E, double nu_, double rho, double toughness, double flaws, double m_)
+      : nu(nu_),
+        intact(Isotropic::from_young(E, nu_)),
+        growth(2.5 * flaws * toughness * toughness / (rho * E)),
+        m(m_) {}
+
+  /// Matter with a crack density Cd: secant moduli, D = 1 - K/K0, and derivatives with Cd.
+  struct State {
+    Isotropic moduli;
+    double D = 0;
+    double dK = 0, dG = 0;  ///< [Pa]
+  };
+
+  /// Cd at a volumetric strain [-], fragments being sized by the largest rate of it [1/s].
+  KOKKOS_INLINE_FUNCTION double crack_density(double volume_strain, double rate) const {
+    return growth * pow(volume_strain, m) / square(rate);
+  }
+
+  /// At Cd = 9/16 nothing is left. The shear modulus is that of isotropy with the damaged K and nu.
+  KOKKOS_INLINE_FUNCTION State at(double Cd) const {
+    State s;
+    const double c = 16. / 9;
+    if (!(c * Cd < 1)) {
+      s.D = 1;
+      return s;
+    }
+    const double nu_d = nu * (1 - c * Cd), nu_slope = -c * nu, left = 1 - 2 * nu_d,
+                 f = (1 - square(nu_d)) / left, f_slope = nu_slope * 2 * (f - nu_d) / left,
+                 shape = left / (1 + nu_d), shape_slope = -3 * nu_slope / square(1 + nu_d);
+    s.D = c * f * Cd;
+    s.moduli.K = (1 - s.D) * intact.K;
+    s.moduli.G = 1.5 * s.moduli.K * shape;
+    s.dK = -c * (f + f_slope * Cd) * intact.K;
+    s.dG = 1.5 * (s.dK * shape + s.moduli.K * shape_slope);
+    return s;
+  }
+
+  /// While damage grows at a fixed rate, d(stress) = C : d(strain) + this tr(d(strain)): the secant
+  /// stiffness C and what softens it. [Pa]
+  KOKKOS_INLINE_FUNCTION Sym3 softening(const State& s, double Cd, const Sym3& strain) const {
+    const double per_volume = m * Cd / trace(strain);
+    const Isotropic slope{s.dK, s.dG};
+    return added({}, per_volume, slope.stress(strain));
+  }
+
+  /// det Q(n) = G^2 g(n) for the acoustic tensor Q of that tangent; this is g along a principal
+  /// direction whose share of the volumetric strain is r. As dG < 0 it is least along the major
+  /// one. Where it is not positive, strain can localise across n. [Pa]
+  KOKKOS_INLINE_FUNCTION double localisation(const State& s, double Cd, double r) const {
+    return s.moduli.constrained() + m * Cd * (s.dK + 2 * s.dG * (r - 1. / 3));
+  }
+};
+
+}  // namespace brisance
