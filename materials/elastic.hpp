@@ -22,9 +22,9 @@ struct Elastic : Solid {
     return {added(old, in.dt, intact.stress(in.rate)), speed(in.rho1)};
   }
 
-  KOKKOS_INLINE_FUNCTION Energies energies(const Sym3& stress, double rho, const History&) const {
+  KOKKOS_INLINE_FUNCTION Energies energies(const Sym3& sigma, double rho, const History&) const {
     Energies e;
-    e.elastic = intact.energy(stress) / rho;
+    e.elastic = intact.energy(sigma) / rho;
     return e;
   }
 };

@@ -21,9 +21,9 @@ struct Plastic : Solid {
 
   KOKKOS_INLINE_FUNCTION History initial(double, double, bool) const { return {}; }
 
-  KOKKOS_INLINE_FUNCTION Energies energies(const Sym3& stress, double rho, const History& h) const {
+  KOKKOS_INLINE_FUNCTION Energies energies(const Sym3& sigma, double rho, const History& h) const {
     Energies e;
-    e.elastic = intact.energy(stress) / rho;
+    e.elastic = intact.energy(sigma) / rho;
     e.plastic = h.plastic_work;
     return e;
   }
