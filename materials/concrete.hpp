@@ -87,8 +87,12 @@ struct Concrete : Solid {
       r.stress = part(in, old, de, start, volume, h);
     } else if (volume < 0) {
       const Isotropic now = moduli(h, volume);
-      r.stress = tried(old, de, start, now, volume);
-      yield(in, old, cone, now, r.stress, h);
+      const Sym3 trial = tried(old, de, start, now, volume);
+      r.stress = trial;
+      if (cone.bring_back(now, r.stress, h.plastic_strain)) {
+        h.plastic_work +=
+            plastic_work(now, middle(old, r.stress), added(trial, -1, r.stress)) / in.rho0;
+      }
     } else {
       r.stress = stretch(in, old, de, start, volume, h);
     }
@@ -117,13 +121,6 @@ struct Concrete : Solid {
     return s;
   }
 
-  KOKKOS_INLINE_FUNCTION static void yield(const Strain& in, const Sym3& old,
-                                           const DruckerPragerCone& surface, const Isotropic& now,
-                                           Sym3& sigma, History& h) {
-    const Sym3 trial = sigma;
-    if (!surface.bring_back(now, sigma, h.plastic_strain)) return;
-    h.plastic_work += brisance::plastic_work(now, old, trial, sigma) / in.rho0;
-  }
   KOKKOS_INLINE_FUNCTION DruckerPragerCone shear_only() const { return {0, 0, cone.k}; }
 
   /// Where a stretch has come to at some share of its increment.
@@ -189,8 +186,9 @@ struct Concrete : Solid {
     }
     if (end.plastic_strain > h.plastic_strain) {
       h.plastic_strain = end.plastic_strain;
-      h.plastic_work +=
-          brisance::plastic_work(end.state.moduli, old, end.trial, end.stress) / in.rho0;
+      h.plastic_work += plastic_work(end.state.moduli, middle(old, end.stress),
+                                     added(end.trial, -1, end.stress)) /
+                        in.rho0;
     }
     if (!end.localised) return end.stress;
     h.strength = along(end.stress, end.n);
@@ -211,30 +209,37 @@ struct Concrete : Solid {
                 0);
   }
 
-  /// Strain of matter with a plane in it: the plane takes what it can, the cone bounds the rest.
-  /// The length that shares its volume with the plane is the chord of a cell, not that of a point:
-  /// all points of a cell see one strain.
+  /// Strain of matter with a plane in it: the cone bounds the matter, the plane what is left across
+  /// it. The length that shares its volume with the plane is the chord of a cell, not that of a
+  /// point: all points of a cell see one strain.
   KOKKOS_INLINE_FUNCTION Sym3 part(const Strain& in, const Sym3& old, const Sym3& de,
                                    const Isotropic& start, double volume, History& h) const {
     const Isotropic now = moduli(h, volume);
-    Sym3 sigma = tried(old, de, start, now, volume);
+    const Sym3 trial = tried(old, de, start, now, volume);
+    Sym3 bounded = trial;
+    bool flows = false;
+    if (volume < 0) {
+      flows = cone.bring_back(now, bounded, h.plastic_strain);
+    } else if (shear_limit == ShearLimit::always) {
+      flows = shear_only().bring_back(now, bounded, h.plastic_strain);
+    }
+
     Vec<2> n;
     n[0] = h.normal_x;
     n[1] = h.normal_y;
     const double length = in.h * most(fabs(n[0]), fabs(n[1]));
     Decohesion::Plane plane{h.strength, h.lambda};
-    Decohesion::Traction tau{along(sigma, n), across(sigma, n)};
+    Decohesion::Traction tau{along(bounded, n), across(bounded, n)};
     const Decohesion::Opening du = decohesion.update(plane, tau, {along(old, n), across(old, n)},
                                                      {now.constrained(), now.G, length});
     h.lambda = plane.lambda;
     h.opening += du.n;
     h.slip += fabs(du.t);
     h.decohesion_work += du.work / (length * in.rho0);
-    if (du.n != 0 || du.t != 0) sigma = added(sigma, -1, now.stress(opened(n, du, length)));
-    if (trace(sigma) < 0) {
-      yield(in, old, cone, now, sigma, h);
-    } else if (shear_limit == ShearLimit::always) {
-      yield(in, old, shear_only(), now, sigma, h);
+    Sym3 sigma = bounded;
+    if (du.n != 0 || du.t != 0) sigma = added(bounded, -1, now.stress(opened(n, du, length)));
+    if (flows) {
+      h.plastic_work += plastic_work(now, middle(old, sigma), added(trial, -1, bounded)) / in.rho0;
     }
     return sigma;
   }

@@ -123,14 +123,17 @@ struct Decohesion {
   }
 
   /// All of the traction but pressure goes, at once. Matter around that is longer than M u0 /
-  /// strength (in shear G u0 / (Cm^2 strength)) snaps: it sets free more than the plane takes,
-  /// which the mean of the tractions counts.
+  /// strength (in shear G u0 / (Cm^2 strength)) snaps: it has stored more than the plane takes, and
+  /// all that is lost, which the mean of the tractions counts.
   KOKKOS_INLINE_FUNCTION Opening separated(Plane& plane, Traction& tau, const Traction& before,
                                            const Around& around) const {
     Opening du;
     du.n = around.length * most(tau.n, 0) / around.M;
     du.t = around.length * tau.t / around.G;
-    du.work = most(released(plane, 1 - plane.lambda), 0.5 * (before.n * du.n + before.t * du.t));
+    const double taken = released(plane, 1 - plane.lambda),
+                 stored = 0.5 * around.length *
+                          (square(most(before.n, 0)) / around.M + square(before.t) / around.G);
+    du.work = stored > taken ? most(taken, 0.5 * (before.n * du.n + before.t * du.t)) : taken;
     plane.lambda = 1;
     tau.n = least(tau.n, 0);
     tau.t = 0;

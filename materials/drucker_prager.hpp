@@ -17,7 +17,8 @@ struct DruckerPrager : Plastic {
     Response r{added(old, in.dt, intact.stress(in.rate)), speed(in.rho1)};
     const Sym3 trial = r.stress;
     if (!cone.bring_back(intact, r.stress, h.plastic_strain)) return r;
-    h.plastic_work += plastic_work(intact, old, trial, r.stress) / in.rho0;
+    h.plastic_work +=
+        plastic_work(intact, middle(old, r.stress), added(trial, -1, r.stress)) / in.rho0;
     return r;
   }
 };

@@ -29,13 +29,13 @@ struct Plastic : Solid {
   }
 };
 
-/// Work per volume on the plastic strain C^-1 : (trial - now) of a step by the mean of its
-/// stresses: what is missing of (old + now) / 2 : de after the elastic energy has been paid, to the
-/// last digit. Zero instead where a step is so long that it crosses the yield surface to the other
-/// side and the mean says nothing. [J/m^3]
-KOKKOS_INLINE_FUNCTION double plastic_work(const Isotropic& moduli, const Sym3& old,
-                                           const Sym3& trial, const Sym3& now) {
-  return most(moduli.work(middle(old, now), added(trial, -1, now)), 0);
+/// Work per volume on the plastic strain C^-1 : excess, excess being what a return took off the
+/// trial stress, by the mean of the stresses before and after the step: what is missing of that
+/// mean : de after the elastic energy has been paid, to the last digit. Zero instead where a step
+/// is so long that it crosses the yield surface and the mean says nothing. [J/m^3]
+KOKKOS_INLINE_FUNCTION double plastic_work(const Isotropic& moduli, const Sym3& mean,
+                                           const Sym3& excess) {
+  return most(moduli.work(mean, excess), 0);
 }
 
 }  // namespace brisance

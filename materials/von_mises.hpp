@@ -22,7 +22,8 @@ struct VonMises : Plastic {
     const Sym3 trial = r.stress;
     r.stress = with_deviator_scaled(trial, (limit + hardening * slip) / q);
     h.plastic_strain += slip;
-    h.plastic_work += plastic_work(intact, old, trial, r.stress) / in.rho0;
+    h.plastic_work +=
+        plastic_work(intact, middle(old, r.stress), added(trial, -1, r.stress)) / in.rho0;
     return r;
   }
 };
