@@ -34,17 +34,21 @@ bool has(const List& list, const std::string& name) {
   return std::find(present.begin(), present.end(), name) != present.end();
 }
 
-/// The checked list of a solid that is given under a name, or nothing.
-std::optional<List> solid_named(const List& materials, const std::string& name) {
+/// The density of the solid that is given under a name; nothing if there is none such. A density
+/// that is missing is left for the check of the materials to tell.
+std::optional<double> density_of_solid(const List& materials, const std::string& name) {
   const List* given = find_list(materials, name);
-  if (!given || !has(*given, "law") || is_fluid(get<std::string>(*given, "law"))) return {};
-  return check(*given, valid_material(*given, List()));
+  if (!given || !has(*given, "law")) return {};
+  const List valid = valid_material(*given, List());
+  if (is_fluid(peek<std::string>(*given, valid, "law"))) return {};
+  const bool missing = !has(*given, "density") && described(valid, "density").required;
+  return missing ? 1 : peek<double>(*given, valid, "density");
 }
 
 /// Whether a law that is given is that of a solid.
 bool any_solid(const List& materials) {
   for (const auto& name : list_names(materials))
-    if (solid_named(materials, name)) return true;
+    if (density_of_solid(materials, name)) return true;
   return false;
 }
 
@@ -90,7 +94,7 @@ List valid_body(const List& given, const List& materials, int dim) {
   List valid;
   declare_required<std::string>(valid, "material", one_of(list_names(materials)),
                                 "name of its material [-]");
-  const auto solid = solid_named(materials, peek<std::string>(given, valid, "material"));
+  const auto solid = density_of_solid(materials, peek<std::string>(given, valid, "material"));
   declare(valid, "edge", solid ? "points" : "cells", one_of({"points", "cells"}),
           "whether it owns single points, or whole cells by their centres [-]");
   declare(valid, "particles per cell", 3, at_least(1) && at_most(16),
@@ -99,7 +103,7 @@ List valid_body(const List& given, const List& materials, int dim) {
           "uniform, or that of the exact solution at time 0 [-]");
   if (peek<std::string>(given, valid, "initial state") == "uniform") {
     if (solid)
-      declare(valid, "density", get<double>(*solid, "density"), positive(), "density [kg/m^3]");
+      declare(valid, "density", *solid, positive(), "density [kg/m^3]");
     else
       declare_required<double>(valid, "density", positive(), "density [kg/m^3]");
     if (has(given, "specific energy") && has(given, "pressure"))

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "drivers/kernels.hpp"
+#include "drivers/scene.hpp"
 #include "test/state.hpp"
 
 namespace brisance {
@@ -32,11 +33,9 @@ struct Cost {
   }
 };
 
-/// Of a step of a tube that neither splits nor is at rest.
-Cost cost_of(int dim, const std::vector<std::string>& assignments) {
-  std::vector<std::string> a = {"bodies/first/pressure=2"};
-  a.insert(a.end(), assignments.begin(), assignments.end());
-  const auto simulation = make_simulation(test::scene(dim, a), nullptr);
+/// Of a step of a scene that neither splits nor is at rest.
+Cost cost_of(const List& scene) {
+  const auto simulation = make_simulation(scene, nullptr);
   simulation->advance(1);
   Cost cost;
   for (const auto& [name, launches] : kernels_of([&] { simulation->advance(1); }))
@@ -45,6 +44,12 @@ Cost cost_of(int dim, const std::vector<std::string>& assignments) {
   for (const auto& column : simulation->footprint().columns)
     cost.columns[column.name] = column.bytes;
   return cost;
+}
+
+Cost cost_of(int dim, const std::vector<std::string>& assignments) {
+  std::vector<std::string> a = {"bodies/first/pressure=2"};
+  a.insert(a.end(), assignments.begin(), assignments.end());
+  return cost_of(test::scene(dim, a));
 }
 
 const Names sorting = {"find bins", "count bins", "places of bins", "order of particles",
@@ -123,7 +128,7 @@ TEST(Cost, OfAffineMotionIsOneMatrix) {
 
 TEST(Cost, OfTensorsIsPaidByViscousMaterialsOnly) {
   const Cost viscous = cost_of(1, {"materials/gas/viscosity/shear=0.001"});
-  EXPECT_EQ(viscous.columns.at("stress"), 48);
+  EXPECT_EQ(viscous.columns.at("stress"), 24);
   EXPECT_TRUE(viscous.launches("scatter tensor force"));
   EXPECT_FALSE(viscous.launches("scatter force"));
   const Cost inviscid = cost_of(1, {});
@@ -174,6 +179,29 @@ TEST(Cost, OfWhatIsNotAskedForIsNothing) {
   EXPECT_TRUE(cost_of(2, {"preset=accurate"}).launches("fold halo"));
   EXPECT_TRUE(cost_of(2, {"preset=accurate"}).launches("image momentum"));
   EXPECT_EQ(all.columns.count("affine"), 0u);
+}
+
+TEST(Cost, OfASolidInThePlaneIsThis) {
+  List given = test::scene(2, {"bodies/first/pressure=2"});
+  given.sublist("materials").sublist("gas") = test::elastic_material();
+  const Cost cost = cost_of(complete_scene(given));
+  EXPECT_EQ(cost.names() - permuting,
+            (sorting + Names{"scatter momentum", "fold halo", "mirror momentum", "hold wall",
+                             "nodal velocity", "fill halo", "image momentum", "gather gradient",
+                             "signals", "half step of solid", "scatter tensor force", "move grid",
+                             "finish tensor midpoint", "finish solid"}));
+  EXPECT_EQ(cost.columns, (Columns{{"position", 16},
+                                   {"velocity", 16},
+                                   {"gradient", 32},
+                                   {"mass", 8},
+                                   {"volume", 8},
+                                   {"stress", 32},
+                                   {"half stress", 32},
+                                   {"history", 8},
+                                   {"affine", 32},
+                                   {"work", 8},
+                                   {"id", 8}}));
+  EXPECT_EQ(cost.bytes(), 200);
 }
 
 TEST(Cost, OfFreeEndsIsNoWall) {

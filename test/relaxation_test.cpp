@@ -167,7 +167,7 @@ TYPED_TEST(EveryRelaxation, EnergyReceivedNeverLeavesLessThanAFifth) {
       p.work(q, 0) = before[q] * (q % 4 == 0 ? worst : 0.1 * (q % 3));
       given.push_back(p.work(q, 0));
     }
-    state.groups[0]->finish(0);
+    state.groups[0]->finish(state.grid, 0);
     long floors = 0;
     for (int b = 0; b < bins; ++b) {
       double wanted = 0, spare = 0, is = 0;

@@ -15,14 +15,18 @@ namespace brisance::test {
 namespace {
 
 template <class G>
-std::unique_ptr<Group<G>> group_of(const RandomGas& of) {
+std::unique_ptr<Group<G>> group_of(const RandomGas& of, int k) {
+  const bool solid = of.solids && k % 2 == 1;
   List form, given;
   form.set("form", of.shock);
   const List valid = valid_shock_viscosity(preset("balanced", G::dim));
-  given.set("law", "perfect gas").set("gamma", 1.4);
-  if (of.newtonian) given.sublist("viscosity").set("shear", 0.05);
+  if (solid)
+    given = elastic_material();
+  else
+    given.set("law", "perfect gas").set("gamma", 1.4);
+  if (of.newtonian && !solid) given.sublist("viscosity").set("shear", 0.05);
   auto group = make_group<G>(check(given, valid_material(given, valid)), check(form, valid));
-  group->transfer = make_transfer<G>(of.transfer);
+  group->transfer = make_transfer<G>(solid ? of.solid_transfer : of.transfer);
   group->scheme.midpoint = of.midpoint;
   group->scheme.damping = of.damping;
   return group;
@@ -138,7 +142,8 @@ State<G> random_gas(const RandomGas& of) {
     cells[d] = of.cells;
     ends.side[d][0] = ends.side[d][1] = of.side;
   }
-  ends.mirrors = of.transfer.shape != "linear";
+  ends.mirrors =
+      of.transfer.shape != "linear" || (of.solids && of.solid_transfer.shape != "linear");
   GridNeeds needs;
   needs.classes = of.classes;
   needs.quadrature = of.transfer.quadrature == "cell";
@@ -148,7 +153,7 @@ State<G> random_gas(const RandomGas& of) {
   State<G> state(Grid<G>(Lattice<D>(origin, cells, 0.5), ends, needs), scheme);
   Filler<G> filler(of);
   for (int k = 0; k < of.groups; ++k) {
-    state.groups.push_back(group_of<G>(of));
+    state.groups.push_back(group_of<G>(of, k));
     state.groups.back()->velocity_class = k % of.classes;
     filler.fill(state, *state.groups.back(), k);
   }
@@ -206,6 +211,12 @@ List scene(int dim, const std::vector<std::string>& assignments) {
   Document document = parse_input(base_text(dim), "base.xml");
   for (const auto& a : assignments) apply_override(document, a, valid_scene(*document.list));
   return complete_scene(*document.list);
+}
+
+List elastic_material() {
+  List list;
+  list.set("law", "elastic").set("Young's modulus", 3.).set("Poisson's ratio", 0.3);
+  return list.set("density", 1.);
 }
 
 std::unique_ptr<Simulation> simulated(const List& scene, const ExactSolution* exact) {

@@ -22,6 +22,8 @@ struct RandomGas {
   int groups = 1;   ///< materials; particles go to them in turn
   int classes = 1;  ///< group k has the velocity class k % classes
   bool newtonian = false;
+  bool solids = false;  ///< odd groups are elastic: give two classes
+  TransferChoice solid_transfer = {"quadratic", "MLS", "particle"};
   std::string shock = "none";   ///< form of the artificial viscosity
   double pressure_range = 0.5;  ///< pressures lie within 1 +- this [Pa]
   double velocity_range = 0.5;  ///< [m/s]
@@ -52,6 +54,9 @@ double volume(const State<G>& state);
 /// in cells of size 0.1, 20 along x and 1 along y, for a time of 0.1. There are two bodies of it,
 /// "first" in the box x < 1 and "rest". Assignments are those of the option --set.
 List scene(int dim, const std::vector<std::string>& assignments = {});
+
+/// Of a scene: stiffness and density about those of the gas.
+List elastic_material();
 
 /// The scene at its end.
 std::unique_ptr<Simulation> simulated(const List& scene, const ExactSolution* exact = nullptr);

@@ -1,0 +1,69 @@
+"""Where concrete has come apart and in which direction, and how damaged it is: Figs 11 and 12 of
+Hu & Chen (2006)."""
+from matplotlib.colors import ListedColormap
+from mpl_toolkits.axes_grid1 import make_axes_locatable
+
+from plot_run import GREY, INK, RED, np, plt, prefixed
+
+NEEDED = ("damage", "decohesion", "normal x", "normal y", "peak rate")
+
+
+def draw_squares(ax, xy, sides, values, **style):
+    """Particles as squares of their size, which is known once the axes have one."""
+    ax.set(aspect="equal", facecolor="#eef1f3")
+    ax.grid(False)
+    return ax.scatter(*xy.T, c=values, marker="s", linewidths=0, **style), sides
+
+
+def draw_cracks(run):
+    particles = run.particles
+    if any(name not in particles for name in NEEDED):
+        return
+    concrete = particles["material"] == np.unique(particles["material"][particles["peak rate"] > 0])[-1:]
+    if not concrete.any():
+        return
+    xy, sides = run.x[:, :2], np.sqrt(particles["volume"])
+    low, high = xy.min(axis=0) - sides.max(), xy.max(axis=0) + sides.max()
+    _, scale, unit = prefixed(high - low, "m")
+    aspect = (high[1] - low[1]) / (high[0] - low[0])
+    width = min(6.0, 7.0 / aspect)
+    fig, axes = plt.subplots(1, 3, figsize=(3 * (width + 1.1), width * aspect + 2), sharex=True,
+                             sharey=True)
+    apart = concrete & (particles["decohesion"] > 0)
+    state = np.where(~concrete, 0, np.where(particles["decohesion"] >= 1, 3, np.where(apart, 2, 1)))
+    drawn = [draw_squares(axes[0], xy / scale, sides, state, vmin=-0.5, vmax=3.5,
+                          cmap=ListedColormap(("#9aa5ad", "#dfe5e8", "#f2b134", RED)))]
+    some = np.flatnonzero(apart)
+    some = some[:: max(1, len(some) // 1500)]
+    normals = np.stack([particles["normal x"], particles["normal y"]], axis=1)[some]
+    # The crack lies across its normal.
+    half = 0.45 * np.minimum(sides[some], 2 * np.median(sides[concrete]))[:, None]
+    half = half * np.stack([-normals[:, 1], normals[:, 0]], axis=1)
+    ends = np.stack([xy[some] - half, xy[some] + half, np.full_like(half, np.nan)], axis=1)
+    axes[0].plot(*(ends.reshape(-1, 2) / scale).T, color=INK, lw=0.8)
+    axes[0].set_title("failure pattern and planes")
+    for colour, label in (("#9aa5ad", "other matter"), ("#dfe5e8", "sound"), ("#f2b134", "coming apart"),
+                          (RED, "separate")):
+        axes[0].plot([], [], "s", ms=6, color=colour, label=label)
+    make_axes_locatable(axes[0]).append_axes("right", size=0.12, pad=0.08).set_visible(False)
+    fig.legend(*axes[0].get_legend_handles_labels(), loc="upper right", ncol=4)
+    failure = 1 - (1 - particles["damage"]) * (1 - particles["decohesion"])
+    for ax, values, title, top in ((axes[1], particles["damage"], "damage D [-]", None),
+                                   (axes[2], failure, "1 - (1 - D)(1 - decohesion) [-]", 1)):
+        ax.scatter(*xy[~concrete].T / scale, c=GREY, marker="s", s=2, linewidths=0)
+        squares, sizes = draw_squares(ax, xy[concrete] / scale, sides[concrete], values[concrete],
+                                      cmap="magma_r", vmin=0, vmax=top)
+        drawn.append((squares, sizes))
+        bar = make_axes_locatable(ax).append_axes("right", size=0.12, pad=0.08)
+        fig.colorbar(squares, cax=bar)
+        ax.set_title(title)
+    for ax in axes:
+        ax.set(xlim=(low[0] / scale, high[0] / scale), ylim=(low[1] / scale, high[1] / scale),
+               xlabel=f"x [{unit}]")
+    axes[0].set_ylabel(f"y [{unit}]")
+    fig.tight_layout(rect=(0, 0, 0.995, 1 - 0.7 / fig.get_figheight()))
+    fig.canvas.draw()
+    points = axes[0].get_window_extent().width * 72 / fig.dpi / (high[0] - low[0])
+    for squares, sizes in drawn:
+        squares.set_sizes(np.maximum(1.1 * points * sizes, 0.8) ** 2)
+    run.save(fig, "cracks")
