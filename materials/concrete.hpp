@@ -86,7 +86,7 @@ struct Concrete : Solid {
     if (h.strength > 0) {
       r.stress = part(in, old, de, start, volume, h);
     } else if (volume < 0) {
-      const Isotropic now = moduli(h, volume);
+      const Isotropic now = recovers ? moduli(h, volume) : start;
       const Sym3 trial = tried(old, de, start, now, volume);
       r.stress = trial;
       if (cone.bring_back(now, r.stress, h.plastic_strain)) {
@@ -214,7 +214,7 @@ struct Concrete : Solid {
   /// point: all points of a cell see one strain.
   KOKKOS_INLINE_FUNCTION Sym3 part(const Strain& in, const Sym3& old, const Sym3& de,
                                    const Isotropic& start, double volume, History& h) const {
-    const Isotropic now = moduli(h, volume);
+    const Isotropic now = recovers ? moduli(h, volume) : start;
     const Sym3 trial = tried(old, de, start, now, volume);
     Sym3 bounded = trial;
     bool flows = false;

@@ -117,9 +117,9 @@ struct Decohesion {
 
   /// U0 times the integral of 1 - lambda^theta, whatever the mode and the length. [J/m^2]
   KOKKOS_INLINE_FUNCTION double released(const Plane& plane, double step) const {
-    const double p = theta + 1;
-    return most(
-        plane.strength * u0 * (step - (pow(plane.lambda + step, p) - pow(plane.lambda, p)) / p), 0);
+    const double l0 = plane.lambda, l1 = l0 + step,
+                 lost = (l1 * raised(l1, theta) - l0 * raised(l0, theta)) / (theta + 1);
+    return most(plane.strength * u0 * (step - lost), 0);
   }
 
   /// All of the traction but pressure goes, at once. Matter around that is longer than M u0 /
