@@ -32,7 +32,6 @@ class Transfer {
   static constexpr int D = G::dim;
 
   virtual ~Transfer() = default;
-  virtual int width() const = 0;
   /// Whether the shape depends on the extents of particles.
   virtual bool sized() const = 0;
   virtual bool affine() const = 0;

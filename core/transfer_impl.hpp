@@ -15,7 +15,6 @@ class TransferBy final : public Transfer<G> {
   using S = typename M::Shape;
   using R = Rows<G, M>;
 
-  int width() const override { return S::width; }
   bool sized() const override { return S::sized; }
   bool affine() const override { return M::affine; }
   bool cell_quadrature() const override { return M::cells; }

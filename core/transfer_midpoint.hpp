@@ -2,6 +2,10 @@
 // The end of a midpoint step as a function of a row. Work is done by the half-step stress on the
 // mean of the grid velocities before and after, the adjoint of the force, and what the transfer of
 // velocity loses in kinetic energy becomes heat, so that the total energy is kept to round-off.
+// Points move with that mean, too, so that places and volumes tell of the same motion. With the
+// velocities after, as (A.9) has it, a point that is set in motion to u gets u dt / 2 ahead of what
+// its volume has seen: a contact some 0.15 cells at CFL 0.8, the shock before it with it (0.21 in
+// place of 0.10 at Mach 13 and gamma 1.4), and every error a sixth larger.
 #include "core/transfer_rows.hpp"
 
 namespace brisance {
@@ -42,7 +46,7 @@ struct Midpoint {
         rows.points.stretch(p, gradient, dt);
         Vec<D> u;
         for (int n = 0; n < nodes; ++n)
-          for (int i = 0; i < D; ++i) u[i] += at.weight(n) * v1.value[n][i];
+          for (int i = 0; i < D; ++i) u[i] += at.weight(n) * middle.value[n][i];
         rows.move(p, u, dt, boundaries);
       }
       // Shared by all of the bin: given to each its own, it would burn light particles beside heavy

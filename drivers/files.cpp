@@ -36,12 +36,6 @@ std::string reason(int error) {
 /// Some file systems know no fsync and say so by EINVAL; there is nothing more to be done on them.
 bool sync(int handle) { return ::fsync(handle) == 0 || errno == EINVAL || errno == ENOTSUP; }
 
-std::string gigabytes(double bytes) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g GB", bytes / 1e9);
-  return text;
-}
-
 }  // namespace
 
 AtomicFile::AtomicFile(const std::filesystem::path& path) : path_(path), temporary_(path) {
@@ -139,21 +133,6 @@ void make_folder(const std::filesystem::path& folder) {
   const bool is_file = error == std::errc::file_exists || error == std::errc::not_a_directory;
   throw std::runtime_error("cannot make the folder '" + folder.string() + "': " +
                            (is_file ? "there is a file of that name" : reason(error.value())));
-}
-
-void require_space(const std::filesystem::path& folder, std::size_t bytes) {
-  std::error_code error;
-  const auto space = std::filesystem::space(folder, error);
-  if (error) {
-    throw std::runtime_error("cannot write into '" + folder.string() +
-                             "': " + reason(error.value()));
-  }
-  const double needed = 1.2 * static_cast<double>(bytes),
-               free = static_cast<double>(space.available);
-  if (needed > free) {
-    throw std::runtime_error("the disk of '" + folder.string() + "' has " + gigabytes(free) +
-                             " free but " + gigabytes(needed) + " are needed");
-  }
 }
 
 }  // namespace brisance

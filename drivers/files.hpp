@@ -49,8 +49,4 @@ std::string read_file(const std::filesystem::path& path);
 /// the reason.
 void make_folder(const std::filesystem::path& folder);
 
-/// Throws one line unless the folder has room for that many bytes and a fifth more: a disk that
-/// fills up during a write is found before the run has spent hours.
-void require_space(const std::filesystem::path& folder, std::size_t bytes);
-
 }  // namespace brisance

@@ -96,14 +96,14 @@ void Progress::update(const Standing& standing) {
   }
 }
 
-void Progress::say(const std::string& message) { plain(message, !options_.quiet); }
-
 void Progress::finish(const Standing& standing) {
   const double share = fraction(standing);
   const auto how = share < 1 ? format("stopped at %.1f %%", 100 * share) : std::string("done");
-  say(how +
-      format(": t %.6g s, step %lld, ", standing.time, static_cast<long long>(standing.step)) +
-      readable_duration(seconds()) + ", " + readable_number(rate()) + " particle-steps/s");
+  plain(
+      how +
+          format(": t %.6g s, step %lld, ", standing.time, static_cast<long long>(standing.step)) +
+          readable_duration(seconds()) + ", " + readable_number(rate()) + " particle-steps/s",
+      !options_.quiet);
 }
 
 double Progress::rate() const {

@@ -54,9 +54,6 @@ class Progress {
 
   void update(const Standing& standing);
 
-  /// A line of its own on the screen and in the log, clear of the rewritten one.
-  void say(const std::string& message);
-
   /// The last line: where the run ended and its speed on the whole. Call it once, after the last
   /// step.
   void finish(const Standing& standing);

@@ -183,19 +183,6 @@ template Column::Column(std::string, int, const std::vector<std::int64_t>&);
 template Column::Column(std::string, int, const std::vector<std::int32_t>&);
 template Column::Column(std::string, int, const std::vector<std::uint8_t>&);
 
-Column vectors(const std::string& name, int components, const std::vector<double>& data) {
-  if (components < 1 || components > 3 || data.size() % components != 0) {
-    throw std::invalid_argument("column '" + name + "' has " + std::to_string(data.size()) +
-                                " numbers for vectors of " + std::to_string(components));
-  }
-  const std::size_t rows = data.size() / components;
-  std::vector<double> padded(3 * rows, 0.0);
-  for (std::size_t row = 0; row < rows; ++row) {
-    std::copy_n(&data[row * components], components, &padded[3 * row]);
-  }
-  return {name, 3, padded};
-}
-
 void write_vtp(const std::filesystem::path& path, const std::vector<double>& points,
                const std::vector<Column>& columns) {
   const Column places("Points", 3, points);

@@ -35,10 +35,6 @@ class Column {
   std::vector<char> bytes_;
 };
 
-/// A vector column of 3 components from data of fewer: 0 is put in for the directions that are
-/// missing.
-Column vectors(const std::string& name, int components, const std::vector<double>& data);
-
 /// Particles: PolyData of one vertex per point. `points` holds x, y, z of each [m]; every column
 /// one row per point. No points at all is a valid file. Throws std::invalid_argument for columns of
 /// another length.

@@ -49,10 +49,10 @@ struct NoShockViscosity {
 /// Compression, von Neumann-Richtmyer (eq. 14): q = rho du (c0 du + c1 c);
 /// Kurapatenko (1967): q = rho du (c0 K du + sqrt((c0 K du)^2 + (c1 c)^2)), K from the material's
 /// shock slope. Expansion: q = rho du ce c, as a Riemann solver has it too. It damps the train of
-/// waves, three to six cells long, that trails a blast in gas that already expands; without it a
-/// limited viscosity overshoots Sedov's peak by 15 %. The limiter takes the linear terms away where
-/// the flow is smooth (Christensen 1990); the quadratic one vanishes there by itself, and to limit
-/// it, too, overshoots in convergent flow.
+/// waves, three to six cells long, that trails a blast in gas that already expands; without it the
+/// error of velocity in Sedov's blast is 26 % in place of 17 %. The limiter takes the linear terms
+/// away where the flow is smooth (Christensen 1990); the quadratic one vanishes there by itself,
+/// and to limit it, too, overshoots in convergent flow.
 struct ShockViscosity {
   enum class Form { von_neumann_richtmyer, kurapatenko };
   Form form = Form::kurapatenko;

@@ -133,17 +133,17 @@ TEST_F(ProgressLine, QuietIsSilentButLogs) {
   {
     Progress progress(options, terminal());
     steps(progress, 0, 100, 0.5);
-    progress.say("a word");
+    progress.finish({1, 0.01, 100, 1000});
   }
   EXPECT_EQ(shown.str(), "");
-  EXPECT_EQ(count(read_file(log), "a word\n"), 1);
+  EXPECT_EQ(count(read_file(log), "done: "), 1);
 }
 
-TEST_F(ProgressLine, AMessageDoesNotTearTheRewrittenLine) {
+TEST_F(ProgressLine, TheEndDoesNotTearTheRewrittenLine) {
   Progress progress(until(1), terminal());
   steps(progress, 0, 1, 1.0);
-  progress.say("wrote a file");
-  EXPECT_NE(shown.str().find("step 1\x1b[K\r\x1b[Kwrote a file\n"), std::string::npos);
+  progress.finish({1, 1, 1, 1000});
+  EXPECT_NE(shown.str().find("step 1\x1b[K\r\x1b[Kdone: t 1 s"), std::string::npos) << shown.str();
 }
 
 TEST_F(ProgressLine, TheEndTellsWhetherAllWasDone) {

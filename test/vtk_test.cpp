@@ -81,15 +81,15 @@ class Vtk : public testing::Test {
 
   /// A frame of n particles in a row, x = 0, 1, ..., with density = 10 + x.
   fs::path frame(const std::string& name, int n) const {
-    std::vector<double> points, density;
+    std::vector<double> points, density, velocity;
     std::vector<std::int64_t> id;
     for (int i = 0; i < n; ++i) {
       points.insert(points.end(), {1.0 * i, 0.5, 0.0});
       density.push_back(10.0 + i);
+      velocity.insert(velocity.end(), {10.0 + i, 0.0, 0.0});
       id.push_back(i);
     }
-    write_vtp(folder / name, points,
-              {{"density", density}, {"id", id}, vectors("velocity", 1, density)});
+    write_vtp(folder / name, points, {{"density", density}, {"id", id}, {"velocity", 3, velocity}});
     return folder / name;
   }
   std::string series_text() const { return read_file(folder / "particles.pvd"); }
@@ -149,15 +149,6 @@ TEST_F(Vtk, TheFirstNumberAndTheFirstVectorAreWhatAViewerShows) {
       Parsed(frame("p.vtp", 1)).has("<PointData Scalars=\"density\" Vectors=\"velocity\">"));
 }
 
-TEST_F(Vtk, VectorsOfFewerDimensionsArePadded) {
-  const auto column = vectors("velocity", 2, {1, 2, 3, 4});
-  EXPECT_EQ(column.rows(), 2u);
-  EXPECT_EQ(column.components(), 3);
-  write_vtp(folder / "p.vtp", {0, 0, 0, 1, 0, 0}, {column});
-  EXPECT_EQ(Parsed(folder / "p.vtp").numbers<double>("velocity"),
-            (std::vector<double>{1, 2, 0, 3, 4, 0}));
-}
-
 TEST_F(Vtk, NamesMayHoldWhatXmlReserves) {
   write_vtp(folder / "p.vtp", {0, 0, 0}, {{"a<b & \"c\">", std::vector<double>{1}}});
   EXPECT_TRUE(Parsed(folder / "p.vtp").has("Name=\"a&lt;b &amp; &quot;c&quot;&gt;\""));
@@ -168,7 +159,6 @@ TEST_F(Vtk, ColumnsOfAnotherLengthAreRefused) {
   EXPECT_THROW(write_vtp(folder / "p.vtp", {0, 0, 0}, {{"a", two}}), std::invalid_argument);
   EXPECT_THROW(write_vtp(folder / "p.vtp", two, {}), std::invalid_argument);
   EXPECT_THROW(Column("a", 3, two), std::invalid_argument);
-  EXPECT_THROW(vectors("a", 4, two), std::invalid_argument);
   EXPECT_TRUE(fs::is_empty(folder));
 }
 
