@@ -30,6 +30,10 @@ class Accumulator {
   }
 };
 
+/// The velocity classes of fluids and of solids where both share the grid; alone, either has the
+/// first.
+constexpr int fluid_class = 0, solid_class = 1;
+
 /// Which optional fields a scheme needs.
 struct GridNeeds {
   int classes = 1;          ///< velocity fields: one for each class of materials that share nodes

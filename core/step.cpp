@@ -49,7 +49,7 @@ class Step {
                                    dt);
     for (auto& g : s.groups) g->finish(s.grid, dt);
     new_order();
-    relax(s.groups, s.grid, s.sums, rates(), dt);
+    if (any_fluid()) relax(s.groups, s.grid, s.sums, rates(), dt);
   }
 
   /// Appendix A of Hu & Chen (2006): the velocities mapped back to the old positions give the
@@ -68,26 +68,35 @@ class Step {
   }
 
  private:
+  bool any_fluid() const {
+    for (const auto& g : s.groups)
+      if (g->fluid()) return true;
+    return false;
+  }
+
   /// grid.before -> gradients of all particles.
   void gradients() {
     for (auto& g : s.groups)
       g->transfer->gather_gradient(g->particles, s.grid.lattice, s.grid.before);
   }
 
-  /// How many cells sound crosses in the step, at its fastest in a group.
-  double crossings(const Group<G>& g) const { return g.fastest.in_matter * dt / s.grid.lattice.h; }
+  /// How many cells sound crosses in the step, at its fastest in a class.
+  double crossings(int velocity_class) const {
+    double fastest = 0;
+    for (const auto& g : s.groups)
+      if (g->velocity_class == velocity_class) fastest = std::max(fastest, g->fastest.in_matter);
+    return fastest * dt / s.grid.lattice.h;
+  }
 
-  /// Damping by the time it takes sound to cross a cell: the same for any time step, in any frame.
+  /// Damping by the time it takes sound to cross a cell: the same for any time step, in any frame,
+  /// and for all of a class, whose drifts from their common field cancel out only then.
   double flip(const Group<G>& g) const {
-    return 1 - std::min(0.1, g.scheme.damping * crossings(g));
+    return 1 - std::min(0.1, g.scheme.damping * crossings(g.velocity_class));
   }
 
   RelaxationRates rates() const {
-    double most = 0;
-    for (const auto& g : s.groups)
-      if (g->fluid()) most = std::max(most, crossings(*g));
     RelaxationRates r = s.scheme.rates;
-    r.volume = std::min(0.2, r.volume * most);
+    r.volume = std::min(0.2, r.volume * crossings(fluid_class));
     return r;
   }
 

@@ -37,7 +37,7 @@ class SimulationIn final : public Simulation {
       auto group = make_group<G>(materials.sublist(name), scheme.sublist("artificial viscosity"));
       const List& of_group = group->fluid() ? scheme : scheme.sublist("solids");
       group->label = name;
-      group->velocity_class = state_.grid.mixed() && !group->fluid() ? 1 : 0;
+      group->velocity_class = state_.grid.mixed() && !group->fluid() ? solid_class : fluid_class;
       group->transfer = make_transfer<G>(transfer_choice(of_group, group->fluid()));
       group->scheme.midpoint = state_.scheme.midpoint;
       group->scheme.damping = get<double>(of_group, "damping");

@@ -2,6 +2,8 @@
 // of the wall must not be one of the grid. Minutes.
 #include <gtest/gtest.h>
 
+#include <Teuchos_ParameterList.hpp>
+
 #include <cmath>
 #include <map>
 
