@@ -154,7 +154,8 @@ std::string assign(List& list, const List& valid, const std::string& assignment)
   List* here = &changed;
   const auto unknown = [&] {
     std::vector<std::string> known = names(*schema);
-    for (const std::string& other : names(*here)) known.push_back(other);
+    for (const std::string& other : names(*here))
+      if (std::find(known.begin(), known.end(), other) == known.end()) known.push_back(other);
     return "is unknown" + did_you_mean(name, known);
   };
   for (std::size_t slash; (slash = name.find('/')) != name.npos;) {

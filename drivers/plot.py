@@ -143,6 +143,10 @@ def draw_history(run):
     fig, (upper, lower) = plt.subplots(2, 1, figsize=(8.5, 7), sharex=True)
     for key, colour in zip(energies, (INK, RED, TEAL)):
         upper.plot(time, table[key] / scale, color=colour, lw=1.8, label=key)
+    # Parts of the internal energy of solids, where they can be seen.
+    for key, style in (("elastic", "--"), ("plastic", "-."), ("damage", ":"), ("decohesion", ":")):
+        if key in table and table[key].max() > 2e-3 * table["total"].max():
+            upper.plot(time, table[key] / scale, color=GREY, lw=1.4, ls=style, label=key)
     for key, colour in zip(errors, (RED, TEAL, VIOLET)):
         # A logarithm knows no 0: what is conserved to the last digit runs along the bottom.
         error = np.maximum(np.abs(table[key + "_error"]), 1e-17)
@@ -152,7 +156,7 @@ def draw_history(run):
     lower.set(ylabel="error of conservation [-]", xlabel=f"time [{unit_t}]")
     lower.set(ylim=(6e-18, max(1e-12, 10 * lower.get_ylim()[1])))
     lower.set_xlim(time[0], time[-1] if len(time) > 1 else None)
-    upper.legend(ncol=3, loc="lower left", bbox_to_anchor=(0, 1), borderaxespad=0.2)
+    upper.legend(ncol=6, loc="lower left", bbox_to_anchor=(0, 1), borderaxespad=0.2)
     lower.legend(ncol=4, loc="lower left", bbox_to_anchor=(0, 1), borderaxespad=0.2)
     fig.tight_layout(rect=(0, 0, 0.99, 0.91), h_pad=1.2)
     run.save(fig, "history")

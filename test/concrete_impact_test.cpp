@@ -51,13 +51,14 @@ TEST(ConcreteImpactSlow, IsTheSameWhenEverythingIsTurned) {
     expect_alike(upright, turned, name, 1e-6);
 }
 
-// Measured: extent 0.423, 0.441, 0.414 m and failed mass 200, 202, 161 kg/m on 60, 120, 240 cells;
-// the wall breaks into finer pieces, and the ends of the wall are less broken, on finer grids.
+// Measured: extent 0.395, 0.440, 0.410 m, failed mass 190, 201, 157 kg/m, plastic
+// energy 26.4, 29.3, 29.4 MJ/m on 60, 120, 240 cells. On finer grids the wall breaks into finer
+// pieces and its ends are less broken; on 60 cells it is four cells thick.
 TEST(ConcreteImpactSlow, FailsAlikeOnFinerGrids) {
   const Values coarse = impact({});
   for (const int n : {120, 240}) {
     const Values fine = impact(grid(n));
-    expect_alike(coarse, fine, "failed extent", 0.1);
+    expect_alike(coarse, fine, "failed extent", 0.15);
     expect_alike(coarse, fine, "failed mass", 0.25);
     expect_alike(coarse, fine, "plastic energy", 0.15);
     expect_alike(coarse, fine, "x velocity of concrete", 0.02);
@@ -66,14 +67,13 @@ TEST(ConcreteImpactSlow, FailsAlikeOnFinerGrids) {
   }
 }
 
-// Measured: the extent changes by 5 % on 60 cells, by 1 % on 120. On 60 cells the wall is four
-// cells thick and the normal at its middle is not kept.
+// Measured: the extent changes by 1.3 % on 60 cells, by 0.3 % on 120, the failed mass by 0.9 and
+// 0.2 %, the plastic energy by 0.8 and 0.05 %. On 60 cells the normal at mid-height is not kept.
 TEST(ConcreteImpactSlow, FailsAlikeOnAShiftedGrid) {
   for (const int n : {60, 120}) {
     const Values there = impact(grid(n)), here = impact(grid(n, 1. / 3));
-    expect_alike(there, here, "failed extent", n == 60 ? 0.1 : 0.05);
-    expect_alike(there, here, "failed mass", n == 60 ? 0.15 : 0.05);
-    expect_alike(there, here, "plastic energy", 0.05);
+    for (const char* name : {"failed extent", "failed mass", "plastic energy"})
+      expect_alike(there, here, name, n == 60 ? 0.03 : 0.01);
   }
 }
 

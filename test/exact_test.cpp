@@ -78,7 +78,7 @@ List example(const std::string& solution) {
   List list("exact");
   list.set("solution", solution);
   if (solution == "standing wave" || solution == "plate impact" || solution == "plastic wave") {
-    list.set("density", 1.).set("Young's modulus", 4.).set("Poisson's ratio", 0.25);
+    list.set("density", 1.).set("Young's modulus", 36.).set("Poisson's ratio", 0.25);
     list.set("velocity", 0.1);
     if (solution == "standing wave") list.set("length", 1.);
     if (solution == "plastic wave") list.set("yield stress", 0.01);
