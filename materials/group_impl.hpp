@@ -55,14 +55,14 @@ class MaterialGroup : public Group<G> {
     Signals s;
     Kokkos::parallel_reduce(
         "signals", range(),
-        KOKKOS_LAMBDA(const int p, double& fastest, double& in_matter) {
+        KOKKOS_LAMBDA(const int p, double& over_grid, double& in_matter) {
           const Sym3 rate = strain_rate<G>(point.particles.matrix(point.particles.gradient, p));
           const double rho = point.rho(p), c = point.material.sound_speed(rho, point.load(p));
           const double signal = point.material.signal_speed(rate, rho, c, h);
           double v = 0;
           for (int d = 0; d < D; ++d) v = most(v, fabs(point.particles.velocity(p, d)));
           in_matter = most(in_matter, finite(signal));
-          fastest = most(fastest, finite(most(v + signal, strain_length * fabs(trace(rate)))));
+          over_grid = most(over_grid, finite(most(v + signal, strain_length * fabs(trace(rate)))));
         },
         Kokkos::Max<double>(s.over_grid), Kokkos::Max<double>(s.in_matter));
     return {most(s.over_grid, 0), most(s.in_matter, 0)};
