@@ -99,7 +99,7 @@ class Seeder {
       const int at = p.count++;
       Place x{};
       for (int d = 0; d < D; ++d) x[d] = position(at, d) = place[d];
-      const GasState s = body.exact ? exact->at(x, 0) : GasState{};
+      const MatterState s = body.exact ? exact->at(x, 0) : MatterState{};
       for (int d = 0; d < D; ++d) velocity(at, d) = body.exact ? s.v[d] : body.velocity[d];
       mass(at, 0) = v * (body.exact ? s.rho : body.density);
       volume(at, 0) = v;

@@ -1,5 +1,5 @@
 #pragma once
-// Problems with a known answer: what the gas is like at any place and time, which features stand
+// Problems with a known answer: what matter is like at any place and time, which features stand
 // out, and how a table of particles is measured against them. Chosen in a scene by the parameter
 // "solution" of its list "exact".
 #include <array>
@@ -15,9 +15,10 @@ namespace brisance {
 
 using Place = std::array<double, 3>;
 
-/// A perfect gas at one point: density [kg/m3], pressure [Pa], specific internal energy [J/kg],
-/// velocity [m/s]. In vacuum everything is 0.
-struct GasState {
+/// Matter at one point: density [kg/m3], pressure (of solids, a third of the stress's trace, with
+/// the sign of a pressure) [Pa], specific internal energy [J/kg], velocity [m/s]. In vacuum
+/// everything is 0.
+struct MatterState {
   double rho = 0, p = 0, e = 0;
   std::array<double, 3> v{};
 };
@@ -26,8 +27,8 @@ class ExactSolution {
  public:
   virtual ~ExactSolution() = default;
 
-  /// The gas at place x and time t >= 0.
-  virtual GasState at(const Place& x, double t) const = 0;
+  /// Matter at place x and time t >= 0.
+  virtual MatterState at(const Place& x, double t) const = 0;
 
   /// Whether it depends on the distance from a centre alone, and that centre; else on x.
   virtual bool radial() const { return false; }
@@ -96,7 +97,7 @@ class Riemann final : public ExactSolution {
   static std::vector<MeasureDoc> possible_measures();
 
   int least_dim() const override { return data_.direction + 1; }
-  GasState at(const Place& x, double t) const override;
+  MatterState at(const Place& x, double t) const override;
   std::vector<Measure> features(double t) const override;
   std::vector<MeasureDoc> measure_docs() const override;
   std::vector<Measure> measures(const ParticleTable& table, double t) const override;
@@ -161,7 +162,7 @@ class Sedov final : public ExactSolution {
 
   /// The energy diverges at the centre, where the density vanishes; it is cut where rho < 1e-30 of
   /// ambient.
-  GasState at(const Place& x, double t) const override;
+  MatterState at(const Place& x, double t) const override;
   std::vector<Measure> features(double t) const override;
   std::vector<MeasureDoc> measure_docs() const override;
   std::vector<Measure> measures(const ParticleTable& table, double t) const override;
@@ -209,7 +210,7 @@ class AcousticWave final : public ExactSolution {
 
   double sound_speed() const;
   int least_dim() const override { return data_.direction + 1; }
-  GasState at(const Place& x, double t) const override;
+  MatterState at(const Place& x, double t) const override;
   std::vector<Measure> features(double t) const override;
   std::vector<MeasureDoc> measure_docs() const override { return possible_measures(); }
   std::vector<Measure> measures(const ParticleTable& table, double t) const override;
@@ -233,7 +234,7 @@ class Vortex final : public ExactSolution {
   static std::vector<MeasureDoc> possible_measures();
 
   int least_dim() const override { return 2; }
-  GasState at(const Place& x, double t) const override;
+  MatterState at(const Place& x, double t) const override;
   std::vector<Measure> features(double t) const override;
   std::vector<MeasureDoc> measure_docs() const override { return possible_measures(); }
   std::vector<Measure> measures(const ParticleTable& table, double t) const override;
@@ -255,7 +256,7 @@ class Uniform final : public ExactSolution {
   static List valid_parameters();
   static std::vector<MeasureDoc> possible_measures();
 
-  GasState at(const Place& x, double t) const override;
+  MatterState at(const Place& x, double t) const override;
   std::vector<Measure> features(double t) const override;
   std::vector<MeasureDoc> measure_docs() const override { return possible_measures(); }
   std::vector<Measure> measures(const ParticleTable& table, double t) const override;

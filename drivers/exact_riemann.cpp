@@ -181,10 +181,10 @@ Riemann::Side Riemann::sample_side(int k, double speed) const {
   return {s.rho * std::pow(ratio, 2 / (g - 1)), u, s.p * std::pow(ratio, 2 * g / (g - 1))};
 }
 
-GasState Riemann::at(const Place& x, double t) const {
+MatterState Riemann::at(const Place& x, double t) const {
   const double from_interface = x[data_.direction] - data_.interface;
   const Side s = t > 0 ? sample(from_interface / t) : from_interface < 0 ? data_.left : data_.right;
-  GasState gas;
+  MatterState gas;
   if (!(s.rho > 0)) return gas;
   gas.rho = s.rho;
   gas.p = s.p;

@@ -141,8 +141,8 @@ double Sedov::distance(const Place& x) const {
   return std::sqrt(square);
 }
 
-GasState Sedov::at(const Place& x, double t) const {
-  GasState gas;
+MatterState Sedov::at(const Place& x, double t) const {
+  MatterState gas;
   const double r = distance(x), g = data_.gamma, front = t > 0 ? radius(t) : 0;
   if (r >= front) {
     gas.rho = data_.density;

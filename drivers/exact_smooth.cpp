@@ -75,11 +75,11 @@ double AcousticWave::sound_speed() const {
   return std::sqrt(data_.gamma * data_.pressure / data_.density);
 }
 
-GasState AcousticWave::at(const Place& x, double t) const {
+MatterState AcousticWave::at(const Place& x, double t) const {
   const double c = sound_speed();
   const double from_crest = x[data_.direction] - (data_.velocity + c) * t;
   const double s = data_.amplitude * std::sin(2 * pi * from_crest / data_.wavelength);
-  GasState gas;
+  MatterState gas;
   gas.rho = data_.density * (1 + s);
   gas.p = data_.pressure * std::pow(1 + s, data_.gamma);
   gas.e = gas.p / ((data_.gamma - 1) * gas.rho);
@@ -115,7 +115,7 @@ Vortex::Vortex(const Data& data) : data_(data) {
                      "must be so small that a pressure is left at the centre");
 }
 
-GasState Vortex::at(const Place& x, double t) const {
+MatterState Vortex::at(const Place& x, double t) const {
   std::array<double, 2> from{};  // the nearest image of the centre, in radii
   for (int d = 0; d < 2; ++d) {
     const double r = x[d] - data_.centre[d] - data_.velocity[d] * t;
@@ -125,7 +125,7 @@ GasState Vortex::at(const Place& x, double t) const {
   const double unit = std::sqrt(data_.pressure / data_.density);
   const double turn = unit * data_.strength / (2 * pi) * std::exp(0.5 * rest);
   const double temperature = 1 - deficit(data_) * std::exp(rest);
-  GasState gas;
+  MatterState gas;
   gas.rho = data_.density * std::pow(temperature, 1 / (data_.gamma - 1));
   gas.p = data_.pressure * std::pow(temperature, data_.gamma / (data_.gamma - 1));
   gas.e = gas.p / ((data_.gamma - 1) * gas.rho);
@@ -154,7 +154,7 @@ List Uniform::valid_parameters() {
 
 Uniform::Uniform(const List& list) : Uniform(uniform_data(list)) {}
 
-GasState Uniform::at(const Place&, double) const {
+MatterState Uniform::at(const Place&, double) const {
   return {data_.density, data_.pressure, data_.pressure / ((data_.gamma - 1) * data_.density),
           data_.velocity};
 }

@@ -15,8 +15,8 @@ constexpr double pi = 3.14159265358979323846;
 double PlateMatter::wave_speed() const { return std::sqrt(constrained() / density); }
 double PlateMatter::plastic_speed() const { return std::sqrt(bulk() / density); }
 
-GasState PlateMatter::elastic_state(double stress, double velocity) const {
-  GasState s;
+MatterState PlateMatter::elastic_state(double stress, double velocity) const {
+  MatterState s;
   s.rho = density * (1 - stress / constrained());
   s.p = -stress * bulk() / constrained();
   s.e = 0.5 * stress * stress / (constrained() * density);
@@ -52,7 +52,7 @@ StandingWave::StandingWave(const List& list)
 double StandingWave::wave_number() const { return pi / (2 * data_.length); }
 double StandingWave::period() const { return 2 * pi / (wave_number() * data_.matter.wave_speed()); }
 
-GasState StandingWave::at(const Place& x, double t) const {
+MatterState StandingWave::at(const Place& x, double t) const {
   const double c = data_.matter.wave_speed(), along = wave_number() * (x[0] - data_.origin),
                phase = wave_number() * c * t;
   const double stress =
@@ -103,7 +103,7 @@ double PlateImpact::stress(double x, double t) const {
   return plateau() / data_.velocity * (initial_velocity(x + way) - initial_velocity(x - way));
 }
 
-GasState PlateImpact::at(const Place& x, double t) const {
+MatterState PlateImpact::at(const Place& x, double t) const {
   const double way = data_.matter.wave_speed() * t;
   const double v = 0.5 * (initial_velocity(x[0] + way) + initial_velocity(x[0] - way));
   return data_.matter.elastic_state(stress(x[0], t), v);
@@ -156,9 +156,9 @@ double PlasticWave::stress(double x, double t) const {
   return x >= plastic_front(t) ? -elastic_limit() : final_stress();
 }
 
-GasState PlasticWave::at(const Place& x, double t) const {
+MatterState PlasticWave::at(const Place& x, double t) const {
   if (x[0] >= precursor(t)) return data_.matter.elastic_state(0, -data_.velocity);
-  GasState s = data_.matter.elastic_state(-elastic_limit(), -(data_.velocity - elastic_jump()));
+  MatterState s = data_.matter.elastic_state(-elastic_limit(), -(data_.velocity - elastic_jump()));
   if (x[0] >= plastic_front(t)) return s;
   const double more = (data_.velocity - elastic_jump()) / data_.matter.plastic_speed();
   s.rho += data_.matter.density * more;

@@ -16,7 +16,7 @@ struct PlateMatter {
   double wave_speed() const;     // of elastic waves [m/s]
   double plastic_speed() const;  // of plastic waves, sqrt(K / rho) [m/s]
   /// The state where the elastic stress along x [Pa] and the velocity [m/s] are these.
-  GasState elastic_state(double stress, double velocity) const;
+  MatterState elastic_state(double stress, double velocity) const;
 };
 void declare_plate(List& valid);
 PlateMatter plate_of(const List& list);
@@ -35,7 +35,7 @@ class StandingWave final : public ExactSolution {
   static std::vector<MeasureDoc> possible_measures();
 
   double period() const;
-  GasState at(const Place& x, double t) const override;
+  MatterState at(const Place& x, double t) const override;
   std::vector<Measure> features(double t) const override;
   std::vector<MeasureDoc> measure_docs() const override { return possible_measures(); }
   std::vector<Measure> measures(const ParticleTable& table, double t) const override;
@@ -60,7 +60,7 @@ class PlateImpact final : public ExactSolution {
   static List valid_parameters();
   static std::vector<MeasureDoc> possible_measures();
 
-  GasState at(const Place& x, double t) const override;
+  MatterState at(const Place& x, double t) const override;
   /// Along x. [Pa]
   double stress(double x, double t) const;
   std::vector<Measure> features(double t) const override;
@@ -91,7 +91,7 @@ class PlasticWave final : public ExactSolution {
 
   /// Hugoniot elastic limit, Y (1 - nu) / (1 - 2 nu). [Pa]
   double elastic_limit() const;
-  GasState at(const Place& x, double t) const override;
+  MatterState at(const Place& x, double t) const override;
   double stress(double x, double t) const;  // along x [Pa]
   std::vector<Measure> features(double t) const override;
   std::vector<MeasureDoc> measure_docs() const override { return possible_measures(); }

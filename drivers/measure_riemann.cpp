@@ -12,16 +12,16 @@ struct Cells {
 
 // What a perfect scheme would have in each layer of cells across the direction: density and
 // pressure by volume, velocity and energy by mass, from 20 points in each.
-std::vector<GasState> exact_layers(const Riemann& exact, const ParticleTable& table, int direction,
-                                   double t) {
+std::vector<MatterState> exact_layers(const Riemann& exact, const ParticleTable& table,
+                                      int direction, double t) {
   constexpr int points = 20;
-  std::vector<GasState> layers(table.cells[direction]);
+  std::vector<MatterState> layers(table.cells[direction]);
   for (int i = 0; i < table.cells[direction]; ++i) {
-    GasState& mean = layers[i];
+    MatterState& mean = layers[i];
     for (int s = 0; s < points; ++s) {
       Place x{};
       x[direction] = table.origin[direction] + (i + (s + 0.5) / points) * table.cell_size;
-      const GasState gas = exact.at(x, t);
+      const MatterState gas = exact.at(x, t);
       mean.rho += gas.rho / points;
       mean.p += gas.p / points;
       mean.e += gas.rho * gas.e / points;
@@ -36,7 +36,7 @@ std::vector<GasState> exact_layers(const Riemann& exact, const ParticleTable& ta
 
 // The relative L1 errors over the measured cells that hold matter in the exact solution: in vacuum
 // velocity and energy have no meaning. A cell without particles counts as wholly wrong.
-Cells cell_errors(const ParticleTable& table, const std::vector<GasState>& layers,
+Cells cell_errors(const ParticleTable& table, const std::vector<MatterState>& layers,
                   const std::vector<char>& measured, int direction) {
   const std::vector<Sums> cells = sums_per_cell(table);
   int stride = 1;
@@ -44,7 +44,7 @@ Cells cell_errors(const ParticleTable& table, const std::vector<GasState>& layer
   Cells error, scale;
   for (std::size_t c = 0; c < cells.size(); ++c) {
     const std::size_t layer = c / stride % table.cells[direction];
-    const GasState& exact = layers[layer];
+    const MatterState& exact = layers[layer];
     if (!measured[layer] || !(exact.rho > 0)) continue;
     const double speed = std::abs(exact.v[direction]);
     scale.density += exact.rho;
@@ -122,7 +122,7 @@ std::vector<MeasureDoc> Riemann::measure_docs() const {
 }
 
 std::vector<Measure> Riemann::measures(const ParticleTable& table, double t) const {
-  const std::vector<GasState> layers = exact_layers(*this, table, data_.direction, t);
+  const std::vector<MatterState> layers = exact_layers(*this, table, data_.direction, t);
   std::vector<char> measured(layers.size());
   for (int i = 0; i < table.cells[data_.direction]; ++i)
     measured[i] = is_measured(table.layer_centre(data_.direction, i));

@@ -86,7 +86,7 @@ std::vector<Measure> Sedov::measures(const ParticleTable& table, double t) const
     }
     if (r < core * front) middle.add(table, k);
     if (r >= reach * front) continue;
-    const GasState exact = at(x, t);
+    const MatterState exact = at(x, t);
     const Place v = table.motion(k);
     double u = 0, exact_u = 0;
     for (int d = 0; d < data_.symmetry && r > 0; ++d) {

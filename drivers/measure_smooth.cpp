@@ -10,7 +10,7 @@ namespace {
 struct Deviation {
   double density = 0, velocity = 0, pressure = 0, energy = 0;
 
-  void add(double volume, const GasState& a, const GasState& b) {
+  void add(double volume, const MatterState& a, const MatterState& b) {
     density += volume * std::abs(a.rho - b.rho);
     velocity += volume * std::hypot(a.v[0] - b.v[0], a.v[1] - b.v[1], a.v[2] - b.v[2]);
     pressure += volume * std::abs(a.p - b.p);
@@ -24,11 +24,12 @@ struct Deviations {
 };
 
 Deviations deviations(const ParticleTable& table, const ExactSolution& exact,
-                      const GasState& undisturbed, double t) {
+                      const MatterState& undisturbed, double t) {
   Deviations sums;
   for (std::size_t k = 0; k < table.size(); ++k) {
-    const GasState here = exact.at(table.place(k), t);
-    const GasState particle{table.density[k], table.pressure[k], table.energy[k], table.motion(k)};
+    const MatterState here = exact.at(table.place(k), t);
+    const MatterState particle{table.density[k], table.pressure[k], table.energy[k],
+                               table.motion(k)};
     sums.error.add(table.volume[k], particle, here);
     sums.signal.add(table.volume[k], here, undisturbed);
     sums.volume += table.volume[k];
@@ -54,7 +55,7 @@ std::vector<MeasureDoc> AcousticWave::possible_measures() {
 }
 
 std::vector<Measure> AcousticWave::measures(const ParticleTable& table, double t) const {
-  GasState undisturbed{data_.density, data_.pressure, 0, {}};
+  MatterState undisturbed{data_.density, data_.pressure, 0, {}};
   undisturbed.v[data_.direction] = data_.velocity;
   return disturbance_values(possible_measures(), deviations(table, *this, undisturbed, t));
 }
@@ -64,7 +65,7 @@ std::vector<MeasureDoc> Vortex::possible_measures() {
 }
 
 std::vector<Measure> Vortex::measures(const ParticleTable& table, double t) const {
-  const GasState undisturbed{data_.density, data_.pressure, 0, data_.velocity};
+  const MatterState undisturbed{data_.density, data_.pressure, 0, data_.velocity};
   return disturbance_values(possible_measures(), deviations(table, *this, undisturbed, t));
 }
 
@@ -77,7 +78,7 @@ std::vector<MeasureDoc> Uniform::possible_measures() {
 }
 
 std::vector<Measure> Uniform::measures(const ParticleTable& table, double t) const {
-  const GasState exact = at({}, t);
+  const MatterState exact = at({}, t);
   const Deviations d = deviations(table, *this, exact, t);
   const double sound = std::sqrt(data_.gamma * data_.pressure / data_.density);
   return with_values(possible_measures(),

@@ -119,7 +119,7 @@ void Results::write_exact(const ExactSolution& exact, const Snapshot& shot) {
     Place x = radial ? centre : t.origin;
     x[0] += along;
     for (int d = 1; d < t.dim && !radial; ++d) x[d] += 0.5 * t.cells[d] * t.cell_size;
-    const GasState s = exact.at(x, shot.time);
+    const MatterState s = exact.at(x, shot.time);
     char line[256];
     std::snprintf(line, sizeof line, "%.9g,%.9g,%.9g,%.9g,%.9g\n", radial ? along : x[0], s.rho,
                   s.v[0], s.p, s.e);

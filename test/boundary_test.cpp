@@ -168,6 +168,27 @@ TEST(Boundary, CellsBeyondAFreeEndAreEmptyAndOthersCopies) {
   EXPECT_EQ(at(periodic, 4, 0), at(periodic, 0, 0));
 }
 
+TEST(Boundary, HalosOfCellsFoldBackOntoTheirImages) {
+  const Lattice<1> lattice = line(4);
+  const auto after = [&](Side side) {
+    const auto field = numbered(lattice);
+    fold_cells<1>(field, 1, lattice, ends<1>(side));
+    return field;
+  };
+  const auto was = numbered(lattice);
+  const auto wall = after(Side::wall), open = after(Side::free), periodic = after(Side::periodic);
+  EXPECT_EQ(at(wall, 0, 1), at(was, 0, 1) + at(was, -1, 1));
+  EXPECT_EQ(at(wall, 3, 1), at(was, 3, 1) + at(was, 4, 1));
+  EXPECT_EQ(at(periodic, 0, 1), at(was, 0, 1) + at(was, 4, 1));
+  EXPECT_EQ(at(periodic, 3, 1), at(was, 3, 1) + at(was, -1, 1));
+  EXPECT_EQ(at(open, 0, 1), at(was, 0, 1));
+  for (const auto& field : {wall, open, periodic}) {
+    EXPECT_EQ(at(field, -1, 1), 0);
+    EXPECT_EQ(at(field, 4, 1), 0);
+    EXPECT_EQ(at(field, 2, 0), at(was, 2, 0));
+  }
+}
+
 TEST(Boundary, ParticlesStayInsideWallsWrapAroundOrLeave) {
   const Lattice<1> lattice = line(4);  // from 2 to 4
   const auto settle = [&](Side side, double x) { return ends<1>(side).settle(lattice, 0, x); };

@@ -111,7 +111,7 @@ TEST(RiemannTest, ProfileIsThatOfAnIndependentSolver) {
   const auto expect_at = [](const char* name, double x, double rho, double u, double p, double e) {
     SCOPED_TRACE(std::string(name) + " at " + std::to_string(x));
     const Tube tube = tube_named(name);
-    const GasState gas = tube.exact().at({x, 0, 0}, tube.t);
+    const MatterState gas = tube.exact().at({x, 0, 0}, tube.t);
     EXPECT_NEAR(gas.rho, rho, 0.51e-6);  // printed to six decimals, p to six digits
     EXPECT_NEAR(gas.v[0], u, 0.51e-6);
     EXPECT_NEAR(gas.e, e, 0.51e-6);
@@ -150,8 +150,8 @@ TEST(RiemannTest, MirroredDataGiveTheMirroredSolution) {
     mirrored.right.u *= -1;
     const Riemann there(mirrored), here = tube.exact();
     for (double x = -0.5; x <= 0.5; x += 0.0103) {
-      const GasState a = here.at({tube.interface + x, 7, 7}, tube.t);
-      const GasState b = there.at({7, -x, 7}, tube.t);
+      const MatterState a = here.at({tube.interface + x, 7, 7}, tube.t);
+      const MatterState b = there.at({7, -x, 7}, tube.t);
       EXPECT_NEAR(a.rho, b.rho, 1e-12 * a.rho);
       EXPECT_NEAR(a.p, b.p, 1e-12 * a.p);
       EXPECT_NEAR(a.v[0], -b.v[1], 1e-12 * std::abs(tube.left_head));
@@ -202,7 +202,7 @@ TEST(RiemannTest, VacuumOpensBetweenGasesThatPartTooFast) {
   ASSERT_TRUE(exact.vacuum());
   EXPECT_DOUBLE_EQ(exact.wave(0).tail, -8 + 5 * a);  // Toro (4.76): u + 2 a / (gamma - 1)
   EXPECT_DOUBLE_EQ(exact.wave(1).tail, 8 - 5 * a);
-  const GasState hole = exact.at({0, 0, 0}, 1);
+  const MatterState hole = exact.at({0, 0, 0}, 1);
   EXPECT_EQ(hole.rho, 0);
   EXPECT_EQ(hole.p, 0);
   EXPECT_EQ(hole.e, 0);

@@ -97,7 +97,7 @@ TEST(SedovTest, TheMassSweptUpIsInside) {
 TEST(SedovTest, CentreIsFinite) {
   for (const double gamma : {1.01, 1.4, 6.}) {
     const Sedov exact(Sedov::Data{2, 1, 1, 0.1, gamma, {{0.5, 0.5, 0}}});
-    const GasState gas = exact.at({0.5, 0.5, 3}, 1);
+    const MatterState gas = exact.at({0.5, 0.5, 3}, 1);
     EXPECT_EQ(gas.rho, 0);
     EXPECT_EQ(gas.v[0], 0);
     EXPECT_DOUBLE_EQ(gas.p, exact.central_pressure(1));

@@ -19,7 +19,7 @@ ParticleTable exact_table(const Exact& exact, double low, double high, int cells
   table.fields.push_back({"stress xx", "Pa", {}});
   for (int k = 0; k < 3 * cells; ++k) {
     const double x = low + (k + 0.5) * table.cell_size / 3;
-    const GasState s = exact.at({x, 0, 0}, t);
+    const MatterState s = exact.at({x, 0, 0}, t);
     table.x.push_back(x);
     table.vx.push_back(s.v[0]);
     table.volume.push_back(table.cell_size / 3);
@@ -75,7 +75,7 @@ TEST(StandingWave, IsMeasuredByItsPhase) {
     const double t = 3.125 * wave.period();
     for (int k = 0; k < 100; ++k) {
       const double x = (k + 0.5) / 100;
-      const GasState s = wave.at({x, 0, 0}, t * (1 + ahead));
+      const MatterState s = wave.at({x, 0, 0}, t * (1 + ahead));
       table.x.push_back(x);
       table.vx.push_back(s.v[0]);
       table.mass.push_back(78.5);

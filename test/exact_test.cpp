@@ -13,7 +13,7 @@ namespace {
 // size of a rate.
 void expect_euler(const ExactSolution& exact, const Place& x, double t, double step,
                   double time_step, double scale) {
-  const auto conserved = [](const GasState& g) {
+  const auto conserved = [](const MatterState& g) {
     const double v2 = g.v[0] * g.v[0] + g.v[1] * g.v[1] + g.v[2] * g.v[2];
     return std::array<double, 5>{g.rho, g.rho * g.v[0], g.rho * g.v[1], g.rho * g.v[2],
                                  g.rho * (g.e + 0.5 * v2)};
@@ -26,7 +26,7 @@ void expect_euler(const ExactSolution& exact, const Place& x, double t, double s
     for (const int sign : {-1, 1}) {
       Place there = x;
       there[d] += sign * step;
-      const GasState g = exact.at(there, t);
+      const MatterState g = exact.at(there, t);
       std::array<double, 5> flux = conserved(g);
       flux[4] += g.p;
       for (double& f : flux) f *= g.v[d];
@@ -60,14 +60,14 @@ TEST(AcousticWaveTest, ReturnsAfterOnePeriod) {
   const double c = std::sqrt(1.4 * 1e5 / 1.2);
   EXPECT_DOUBLE_EQ(wave.sound_speed(), c);
   EXPECT_DOUBLE_EQ(wave.features(0)[1].value, 2 / (c - 40));
-  const GasState a = wave.at({0.3, 0, 0}, 0), b = wave.at({0.3, 0, 0}, 2 / (c - 40));
+  const MatterState a = wave.at({0.3, 0, 0}, 0), b = wave.at({0.3, 0, 0}, 2 / (c - 40));
   EXPECT_NEAR(a.rho, b.rho, 1e-15);
   EXPECT_NEAR(a.rho, 1.2 * (1 + 1e-3 * std::sin(0.3 * 3.14159265358979)), 1e-14);
 }
 
 TEST(VortexTest, IsCarriedThroughThePeriodicBox) {
   const Vortex vortex(Vortex::Data{5, 1, 10, 1, 1, 1.4, {{5, 5, 0}}, {{1, 1, 0}}});
-  const GasState a = vortex.at({4.2, 6.1, 0}, 0), b = vortex.at({1.2, 3.1, 0}, 7);
+  const MatterState a = vortex.at({4.2, 6.1, 0}, 0), b = vortex.at({1.2, 3.1, 0}, 7);
   EXPECT_NEAR(a.rho, b.rho, 1e-13);
   EXPECT_NEAR(a.v[1], b.v[1], 1e-13);
   EXPECT_NEAR(vortex.at({5, 6, 0}, 0).v[0], 1 - 5 / (2 * 3.14159265358979), 1e-13);

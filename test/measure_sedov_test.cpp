@@ -32,7 +32,7 @@ ParticleTable sampled(const Sedov& exact, int n, const std::function<double(doub
     for (int i = 0; i < 4 * n; ++i) {
       const Place x{(i + 0.5) * spacing, (j + 0.5) * spacing, 0};
       const double a = x[0] - 0.3, b = x[1] - 0.3, scale = 1 / stretch(std::atan2(b, a));
-      const GasState gas = exact.at({0.3 + scale * a, 0.3 + scale * b, 0}, t_end);
+      const MatterState gas = exact.at({0.3 + scale * a, 0.3 + scale * b, 0}, t_end);
       table.x.push_back(x[0]);
       table.y.push_back(x[1]);
       table.vx.push_back(gas.v[0]);
@@ -146,7 +146,7 @@ TEST(BlastMeasuresTest, APlanarBlastIsMeasuredAlongALine) {
   table.cells = {120, 1, 1};
   for (int i = 0; i < 480; ++i) {
     table.x.push_back((i + 0.5) * 0.00125);
-    const GasState gas = exact.at({table.x.back(), 0, 0}, t_end);
+    const MatterState gas = exact.at({table.x.back(), 0, 0}, t_end);
     table.vx.push_back(gas.v[0]);
     table.mass.push_back(gas.rho * 0.00125);
     table.volume.push_back(0.00125);

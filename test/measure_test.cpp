@@ -26,7 +26,7 @@ ParticleTable sampled(const ExactSolution& exact, double t, int dim, int cells, 
   for (int j = 0; j < (dim > 1 ? n : 1); ++j)
     for (int i = 0; i < n; ++i) {
       const Place x{low + (i + 0.5) * spacing, dim > 1 ? low + (j + 0.5) * spacing : 0, 0};
-      const GasState gas = exact.at(x, t);
+      const MatterState gas = exact.at(x, t);
       const double volume = std::pow(spacing, dim);
       table.x.push_back(x[0]);
       table.vx.push_back(gas.v[0]);

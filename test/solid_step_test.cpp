@@ -88,6 +88,29 @@ TEST(Mixture, OfAScenePaysForTwoVelocityFieldsOnlyWhenFluidsMeetSolids) {
   EXPECT_GT(bytes(balanced_halves(1, "quadratic", "MLS")), bytes(test::scene(1)));
 }
 
+/// Mass of a disc of radius 0.9 in a box of 2 x 2 with cells of 0.1 and density 1.
+double mass_of_disc(const std::string& edge) {
+  List given = test::scene(2);
+  given.sublist("grid").set("cells", Teuchos::Array<int>{20, 20});
+  given.sublist("materials").remove("gas");
+  given.sublist("materials").sublist("solid") = test::elastic_material();
+  List& bodies = given.sublist("bodies");
+  bodies = List("bodies");
+  List& disc = bodies.sublist("disc");
+  disc.set("material", "solid").set("edge", edge);
+  disc.sublist("disc").set("centre", Teuchos::Array<double>{1., 1.}).set("radius", 0.9);
+  return make_simulation(complete_scene(given), nullptr)->balance().totals.mass;
+}
+
+// 2290 points or 254 cells for pi 0.81: off by about the square root of those that the rim crosses
+// (170 and 68 by its length), at most.
+TEST(Bodies, OwnSinglePointsOrWholeCells) {
+  const double area = std::acos(-1.) * 0.81;
+  EXPECT_NEAR(mass_of_disc("points"), area, 13 * 0.01 / 9);
+  EXPECT_NEAR(mass_of_disc("cells"), area, 8.3 * 0.01);
+  EXPECT_NE(mass_of_disc("points"), mass_of_disc("cells"));
+}
+
 /// One particle of a law with a stress, as a group.
 std::unique_ptr<Group<PlaneStrain>> one_particle(const std::string& law, bool midpoint) {
   List given;

@@ -20,8 +20,8 @@ class ShearWave final : public ExactSolution {
  public:
   static constexpr double amplitude = 0.01, wave_number = 6.283185307179586 / 1.6, nu = 0.02;
   int least_dim() const override { return 2; }
-  GasState at(const Place& x, double t) const override {
-    GasState s;
+  MatterState at(const Place& x, double t) const override {
+    MatterState s;
     s.rho = s.p = 1;
     s.e = 2.5;
     s.v[0] =
