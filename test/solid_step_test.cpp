@@ -91,14 +91,14 @@ TEST(Mixture, OfAScenePaysForTwoVelocityFieldsOnlyWhenFluidsMeetSolids) {
 /// Mass of a disc of radius 0.9 in a box of 2 x 2 with cells of 0.1 and density 1.
 double mass_of_disc(const std::string& edge) {
   List given = test::scene(2);
-  given.sublist("grid").set("cells", Teuchos::Array<int>{20, 20});
+  given.sublist("grid").set("cells", Teuchos::Array<int>(2, 20));
   given.sublist("materials").remove("gas");
   given.sublist("materials").sublist("solid") = test::elastic_material();
   List& bodies = given.sublist("bodies");
   bodies = List("bodies");
   List& disc = bodies.sublist("disc");
   disc.set("material", "solid").set("edge", edge);
-  disc.sublist("disc").set("centre", Teuchos::Array<double>{1., 1.}).set("radius", 0.9);
+  disc.sublist("disc").set("centre", Teuchos::Array<double>(2, 1.)).set("radius", 0.9);
   return make_simulation(complete_scene(given), nullptr)->balance().totals.mass;
 }
 
