@@ -75,8 +75,6 @@ std::vector<MeasureDoc> CrackPattern::measure_docs() {
       {"failed mass", "kg", "of all points, times their failure, per metre or square metre"},
       {"separated mass", "kg", "of points that have come apart wholly"},
       {"largest damage", "-", "of all points"},
-      {"least damage above 0.1", "-",
-       "lower quartile of damage among points with more than 0.1: how graded it is"},
       {"largest strain rate", "1/s", "of volume in tension, of all points and times"},
       {"greatest pressure", "Pa", "of all points at the times of output"},
       {"place of failure", "m", "mean coordinate along the hit, weighted by decohesion"},
@@ -99,7 +97,6 @@ std::vector<Measure> CrackPattern::measures(const ParticleTable& table) const {
   double failed = 0, separated = 0, near = 0, largest_damage = 0, largest_rate = 0;
   double place = 0, apart = 0;
   std::vector<std::pair<double, double>> by_distance;
-  std::vector<double> damages;
   std::map<std::pair<long, long>, std::array<double, 2>> sides;
   for (std::size_t k = 0; k < table.size(); ++k) {
     const auto x = table.place(k);
@@ -107,7 +104,6 @@ std::vector<Measure> CrackPattern::measures(const ParticleTable& table) const {
     const double mass = table.mass[k], failure = mass * columns.failure(k);
     largest_damage = std::max(largest_damage, columns.damage[k]);
     largest_rate = std::max(largest_rate, columns.rate[k]);
-    if (columns.damage[k] > 0.1) damages.push_back(columns.damage[k]);
     const double opened = mass * columns.decohesion[k];
     place += opened * x[along_];
     apart += opened;
@@ -129,7 +125,6 @@ std::vector<Measure> CrackPattern::measures(const ParticleTable& table) const {
     extent = distance;
     sum += failure;
   }
-  std::sort(damages.begin(), damages.end());
   double angle = axis.angle() - (along_ == 1 ? 90 : 0);
   if (angle < -90) angle += 180;
   return with_values(measure_docs(),
@@ -140,7 +135,6 @@ std::vector<Measure> CrackPattern::measures(const ParticleTable& table) const {
                       {"failed mass", failed},
                       {"separated mass", separated},
                       {"largest damage", largest_damage},
-                      {"least damage above 0.1", damages.empty() ? 0 : damages[damages.size() / 4]},
                       {"largest strain rate", largest_rate},
                       {"greatest pressure", pressure_},
                       {"place of failure", apart > 0 ? place / apart : std::nan("")},

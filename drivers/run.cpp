@@ -50,13 +50,14 @@ RunResult run(const List& scene, const RunOptions& options) {
   const List* crack_list = find_list(scene, "cracks");
   std::optional<CrackPattern> cracks;
   if (crack_list) cracks.emplace(*crack_list);
-  const auto write = [&] {
-    if (!results && !cracks) return;
-    const Snapshot shot = simulation->snapshot();
+  const auto write = [&](const Snapshot& shot) {
     if (cracks) cracks->observe(shot.table, shot.time);
     if (!results) return;
     results->add(shot);
     results->add(ledger, simulation->balance());
+  };
+  const auto output = [&] {
+    if (results || cracks) write(simulation->snapshot());
   };
 
   Progress::Options shown;
@@ -69,7 +70,7 @@ RunResult run(const List& scene, const RunOptions& options) {
                     simulation->particle_count()};
   };
 
-  write();
+  output();
   Cadence cadence(get<double>(scene.sublist("output"), "interval"), end);
   RunResult result;
   const auto started = std::chrono::steady_clock::now();
@@ -78,7 +79,7 @@ RunResult run(const List& scene, const RunOptions& options) {
     simulation->advance(end);
     result.outcome.particle_steps += static_cast<double>(simulation->particle_count());
     progress.update(standing());
-    if (cadence.due(simulation->time()) && simulation->time() < end) write();
+    if (cadence.due(simulation->time()) && simulation->time() < end) output();
   }
   result.outcome.wall_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
@@ -89,6 +90,7 @@ RunResult run(const List& scene, const RunOptions& options) {
   result.end = simulation->balance();
   result.cell_size = get<double>(scene.sublist("grid"), "cell size");
   const Snapshot shot = simulation->snapshot();
+  write(shot);
   result.outcome.measures = ledger.measures(result.end);
   if (exact)
     for (const Measure& m : exact->measures(shot.table, shot.time))
@@ -98,7 +100,6 @@ RunResult run(const List& scene, const RunOptions& options) {
   if (result.outcome.status == "finished")
     result.outcome.verdicts = judge(find_list(scene, "checks"), result.outcome.measures);
   if (results) {
-    write();
     if (exact) results->write_exact(*exact, shot);
     results->write_summary(result.outcome, ledger, result.end);
   }

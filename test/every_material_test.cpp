@@ -9,16 +9,10 @@
 #include "core/parameters.hpp"
 #include "materials/fluid.hpp"
 #include "materials/registry.hpp"
+#include "test/as_types.hpp"
 
 namespace brisance {
 namespace {
-
-template <class T>
-struct AsTypes;
-template <class... T>
-struct AsTypes<TypeList<T...>> {
-  using type = testing::Types<T...>;
-};
 
 /// Parameters of a law by its name, and a state in which it is at home.
 struct Sample {

@@ -7,16 +7,10 @@
 #include <cmath>
 
 #include "materials/registry.hpp"
+#include "test/as_types.hpp"
 
 namespace brisance {
 namespace {
-
-template <class T>
-struct AsTypes;
-template <class... T>
-struct AsTypes<TypeList<T...>> {
-  using type = testing::Types<T...>;
-};
 
 List sample_of(const std::string& law) {
   List list;
