@@ -15,13 +15,6 @@ inline double point_size(const ParticleTable& table, std::size_t k) {
   return table.dim == 1 ? table.volume[k] : std::pow(table.volume[k], 1. / table.dim);
 }
 
-/// Unit vector from a centre to a place in the plane; zero at the centre itself.
-inline std::array<double, 2> outward(const std::array<double, 3>& place,
-                                     const std::array<double, 3>& centre) {
-  const double x = place[0] - centre[0], y = place[1] - centre[1], r = std::hypot(x, y);
-  return r > 0 ? std::array<double, 2>{x / r, y / r} : std::array<double, 2>{};
-}
-
 class Bins {
  public:
   using Place = std::array<double, 3>;

@@ -16,11 +16,12 @@ std::vector<std::size_t> rows_of(const ParticleTable& table, int material) {
   return rows;
 }
 
+/// Zero at the centre itself.
 double radial_velocity(const ParticleTable& table, std::size_t k,
                        const std::array<double, 3>& centre) {
-  const auto n = outward(table.place(k), centre);
-  const auto v = table.motion(k);
-  return n[0] * v[0] + n[1] * v[1];
+  const auto at = table.place(k), v = table.motion(k);
+  const double x = at[0] - centre[0], y = at[1] - centre[1], r = std::hypot(x, y);
+  return r > 0 ? (x * v[0] + y * v[1]) / r : 0;
 }
 
 /// Whether the centre is a corner of the grid, which then holds a quarter of the box.
