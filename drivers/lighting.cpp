@@ -137,12 +137,22 @@ Place LightingTimes::off_discs(const Place& x) const {
   return x;
 }
 
+/// On a face between cells that of the faster one, along which a ray may run.
 double LightingTimes::slowness(const Place& x) const {
   const Place at = off_discs(x);
-  const int i = static_cast<int>(std::floor((at[0] - box_.low[0]) / box_.h)),
-            j = static_cast<int>(std::floor((at[1] - box_.low[1]) / box_.h));
-  if (i < 0 || j < 0 || i >= box_.cells[0] || j >= box_.cells[1]) return 0;
-  return matter_[i + static_cast<std::size_t>(box_.cells[0]) * j];
+  int first[2], last[2];
+  for (int d = 0; d < 2; ++d) {
+    const double in_cells = (at[d] - box_.low[d]) / box_.h;
+    first[d] = std::max(static_cast<int>(std::floor(in_cells - 1e-9)), 0);
+    last[d] = std::min(static_cast<int>(std::floor(in_cells + 1e-9)), box_.cells[d] - 1);
+  }
+  double least = 0;
+  for (int j = first[1]; j <= last[1]; ++j)
+    for (int i = first[0]; i <= last[0]; ++i) {
+      const double s = matter_[i + static_cast<std::size_t>(box_.cells[0]) * j];
+      if (s > 0 && (least == 0 || s < least)) least = s;
+    }
+  return least;
 }
 
 bool LightingTimes::blocked(const Place& from, const Place& to) const {

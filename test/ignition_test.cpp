@@ -15,6 +15,7 @@ namespace brisance {
 namespace {
 
 using Doubles = Teuchos::Array<double>;
+Doubles array_of(const std::vector<double>& values) { return Doubles(values); }
 
 /// A group that is nothing but its particles and the names of two state variables.
 class Names final : public Group<PlaneStrain> {
@@ -47,7 +48,7 @@ List two_materials() {
       .set("path", "through explosive")
       .sublist("sources")
       .sublist("one")
-      .set("point", Doubles{0, 0.5});
+      .set("point", array_of({0, 0.5}));
   List scene = complete_scene(given);
   // As a law with this parameter would have it.
   scene.sublist("materials").sublist("gas").set("detonation speed", 2.);
@@ -111,9 +112,9 @@ TEST(Ignition, RefusesAnExplosiveThatNothingLights) {
   // Two explosives, and a gap of something else between them.
   List apart = two_materials();
   List& bodies = apart.sublist("bodies");
-  bodies.sublist("first").sublist("box").set("high", Doubles{0.5, 1e9});
+  bodies.sublist("first").sublist("box").set("high", array_of({0.5, 1e9}));
   List other = bodies.sublist("rest");
-  other.sublist("box").set("low", Doubles{0.7, -1e9}).set("high", Doubles{2, 1e9});
+  other.sublist("box").set("low", array_of({0.7, -1e9})).set("high", array_of({2, 1e9}));
   bodies.sublist("rest") = other;
   apart.sublist("materials").sublist("inert").set("detonation speed", 2.);
   EXPECT_EQ(wrong(apart), "");
@@ -131,7 +132,7 @@ TEST(Ignition, BelongsToTheSceneAndIsCheckedThere) {
   List given = test::scene(2);
   given.sublist("ignition");
   EXPECT_THROW(complete_scene(given), InputError);
-  given.sublist("ignition").sublist("sources").sublist("one").set("point", Doubles{0, 0});
+  given.sublist("ignition").sublist("sources").sublist("one").set("point", array_of({0, 0}));
   const List scene = complete_scene(given);
   EXPECT_EQ(get<std::string>(scene.sublist("ignition"), "path"), "straight");
   EXPECT_TRUE(Teuchos::haveSameValues(complete_scene(scene), scene, true));

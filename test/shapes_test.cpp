@@ -19,31 +19,32 @@ namespace brisance {
 namespace {
 
 using Doubles = Teuchos::Array<double>;
+Doubles array_of(const std::vector<double>& values) { return Doubles(values); }
 
-List polygon(const Doubles& x, const Doubles& y) {
+List polygon(const std::vector<double>& x, const std::vector<double>& y) {
   List body;
-  body.sublist("polygon").set("x", x).set("y", y);
+  body.sublist("polygon").set("x", Doubles(x)).set("y", Doubles(y));
   return body;
 }
 List half_plane(double x, double y, double nx, double ny) {
   List body;
-  body.sublist("half-plane").set("point", Doubles{x, y}).set("normal", Doubles{nx, ny});
+  body.sublist("half-plane").set("point", array_of({x, y})).set("normal", array_of({nx, ny}));
   return body;
 }
 List box(double x0, double y0, double x1, double y1) {
   List body;
-  body.sublist("box").set("low", Doubles{x0, y0}).set("high", Doubles{x1, y1});
+  body.sublist("box").set("low", array_of({x0, y0})).set("high", array_of({x1, y1}));
   return body;
 }
 List disc(double x, double y, double radius) {
   List body;
-  body.sublist("disc").set("centre", Doubles{x, y}).set("radius", radius);
+  body.sublist("disc").set("centre", array_of({x, y})).set("radius", radius);
   return body;
 }
 List ring(double x, double y, double inner, double outer) {
   List body;
   body.sublist("ring")
-      .set("centre", Doubles{x, y})
+      .set("centre", array_of({x, y}))
       .set("inner radius", inner)
       .set("outer radius", outer);
   return body;
@@ -60,9 +61,9 @@ std::pair<int, int> owners(const std::vector<List>& bodies, double x0, double x1
     for (int j = 0; j < 100; ++j) {
       // In hundredths, with the round-off of a lattice.
       const Place x{{x0 + (x1 - x0) * (0.01 * i), y0 + (y1 - y0) * (0.01 * j), 0}};
-      const auto held =
-          std::count_if(shapes.begin(), shapes.end(), [&](const Shape& s) { return s.holds(x); });
-      range = {std::min<int>(range.first, held), std::max<int>(range.second, held)};
+      int held = 0;
+      for (const Shape& shape : shapes) held += shape.holds(x);
+      range = {std::min(range.first, held), std::max(range.second, held)};
     }
   return range;
 }
@@ -137,7 +138,7 @@ TEST(Bodies, RoundAboutTheMiddleOfTheGridAreSeededSymmetrically) {
     for (const int cells : {19, 20})
       for (const List& shape : {disc(0, 0, 0.5), ring(0, 0, 0.25, 0.5)}) {
         const auto all = sites(shaped(shape, cells, edge));
-        EXPECT_GT(all.size(), 500u);
+        EXPECT_GT(all.size(), 400u);
         for (const auto& [x, y] : all)
           for (const Site& image : {Site{-x, y}, Site{x, -y}, Site{y, x}})
             EXPECT_EQ(all.count(image), 1u) << x << " " << y << " " << edge;
