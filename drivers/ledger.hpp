@@ -35,7 +35,8 @@ class Ledger {
   double energy_error(const Balance& now) const;
   std::vector<Measure> measures(const Balance& now) const;
 
-  /// A line of history.csv, and its head.
+  /// A line of history.csv, and its head. After the sums over everything stand those over each
+  /// material, as mass_NAME.
   std::string head() const;
   std::string line(const Balance& now) const;
 
@@ -44,6 +45,9 @@ class Ledger {
   std::vector<std::string> materials_;
   bool solids_ = false;
 };
+
+/// A name as the last part of that of a column: what is neither letter nor digit becomes _.
+std::string column_name(std::string name);
 
 /// The measures of a scene with these materials, whatever happens in it; those of solids if it has
 /// any.

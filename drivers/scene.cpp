@@ -9,6 +9,7 @@
 #include "core/transfer.hpp"
 #include "drivers/cracks.hpp"
 #include "drivers/exact.hpp"
+#include "drivers/gauges.hpp"
 #include "drivers/ledger.hpp"
 #include "drivers/presets.hpp"
 #include "materials/registry.hpp"
@@ -140,9 +141,12 @@ void add_range(List& list, const MeasureDoc& measure) {
 }
 
 /// What of a scene is measured beyond its balances.
-std::vector<MeasureDoc> special_measures(const List* exact, bool cracks, int dim) {
+std::vector<MeasureDoc> special_measures(const List* exact, const List* gauges, bool cracks,
+                                         int dim) {
   std::vector<MeasureDoc> docs;
   if (cracks) docs = CrackPattern::measure_docs();
+  if (gauges)
+    for (const auto& measure : Gauges::measure_docs(list_names(*gauges))) docs.push_back(measure);
   if (!exact) return docs;
   const auto solution = make_exact(check(*exact, valid_exact(*exact)));
   if (solution->least_dim() > dim) refuse(*exact, "solution", "needs a grid of more directions");
@@ -150,12 +154,13 @@ std::vector<MeasureDoc> special_measures(const List* exact, bool cracks, int dim
   return docs;
 }
 
-void add_checks(List& valid, const List& materials, const List* exact, bool cracks, int dim) {
+void add_checks(List& valid, const List& materials, const List* exact, const List* gauges,
+                bool cracks, int dim) {
   List& checks =
       declare_optional_list(valid, "checks", "what the run must reach; told by 'verify'");
   for (const auto& measure : balance_measures(list_names(materials), any_solid(materials)))
     add_range(checks, measure);
-  const auto measures = special_measures(exact, cracks, dim);
+  const auto measures = special_measures(exact, gauges, cracks, dim);
   if (measures.empty()) return;
   for (const auto& measure : measures) add_range(checks, measure);
 
@@ -263,7 +268,10 @@ List valid_scene(const List& given) {
   if (exact) exact_list = valid_exact(*exact);
   declare_optional_list(valid, "cracks", "measures what a hit does to concrete") =
       CrackPattern::valid_parameters(dim);
-  add_checks(valid, given_materials, exact, find_list(given, "cracks") != nullptr, dim);
+  const List* gauges = find_list(given, "gauges");
+  declare_optional_list(valid, "gauges", "what matter is like at some places against time") =
+      Gauges::valid_parameters(gauges, list_names(given_materials), dim);
+  add_checks(valid, given_materials, exact, gauges, find_list(given, "cracks") != nullptr, dim);
   return valid;
 }
 
@@ -275,6 +283,7 @@ List complete_scene(const List& given) {
   check_pairs(scene, dimension(scene));
   check_scheme(scene);
   check_bodies(scene);
+  if (find_list(scene, "gauges")) Gauges::check(scene);
   return scene;
 }
 

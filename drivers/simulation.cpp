@@ -7,6 +7,7 @@
 #include "core/geometry.hpp"
 #include "core/step.hpp"
 #include "drivers/bodies.hpp"
+#include "drivers/probe.hpp"
 #include "materials/registry.hpp"
 
 namespace brisance {
@@ -66,7 +67,8 @@ class SimulationIn final : public Simulation {
                                " s: the state is no longer finite; try a smaller 'time/CFL'");
     const double left = end - state_.time;
     const bool last = dt_ >= left * (1 - 1e-12);
-    finish_step(state_, others_, last ? left : dt_);
+    taken_ = last ? left : dt_;
+    finish_step(state_, others_, taken_);
     if (last) state_.time = end;
   }
 
@@ -122,9 +124,16 @@ class SimulationIn final : public Simulation {
     return f;
   }
 
+  std::vector<Seen> probe(const std::vector<Window>& windows) const override {
+    return brisance::probe(state_, windows);
+  }
+  void carry(std::vector<Window>& windows) override { riders_.carry(state_, taken_, windows); }
+
  private:
   State<G> state_;
   Exchange<G> others_;
+  Riders<G> riders_;
+  double taken_ = 0;    ///< the last step, which may be shorter than dt_ [s]
   double fastest_ = 0;  ///< signal over the grid [m/s]
   double cfl_ = 0, growth_ = 0, dt_ = 0;
 

@@ -103,7 +103,9 @@ TEST_F(AfterARun, AllFilesAreThere) {
 
 TEST_F(AfterARun, HistoryHasALineForEachOutput) {
   const std::string history = read_file(out / "history.csv");
-  EXPECT_EQ(history.compare(0, Ledger(Balance{}).head().size(), Ledger(Balance{}).head()), 0);
+  std::string head = Ledger(Balance{}).head();  // of no material
+  head.pop_back();
+  EXPECT_EQ(history.compare(0, head.size(), head), 0);
   EXPECT_EQ(lines_of(history), 12);  // head, start, nine between, end
   EXPECT_EQ(test::columns_of_last_line(history).at(1), "0.20000000000000001");
 }
