@@ -63,6 +63,8 @@ RunResult run(const List& scene, const RunOptions& options) {
   output();
   const double interval = get<double>(scene.sublist("output"), "interval");
   Cadence cadence(interval > 0 ? interval : end / 10);
+  const double between = get<double>(scene.sublist("output"), "history interval");
+  Cadence history(results && between > 0 ? between : 2 * end);
   RunResult result;
   const auto started = std::chrono::steady_clock::now();
   const double cpu = cpu_seconds();
@@ -71,7 +73,12 @@ RunResult run(const List& scene, const RunOptions& options) {
     if (gauges) gauges->observe(*simulation);
     result.outcome.particle_steps += static_cast<double>(simulation->particle_count());
     progress.update(standing());
-    if (cadence.due(simulation->time()) && simulation->time() < end) output();
+    if (simulation->time() >= end) break;
+    const bool noted = history.due(simulation->time());
+    if (cadence.due(simulation->time()))
+      output();
+    else if (noted)
+      results->note(ledger, simulation->balance());
   }
   result.outcome.wall_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();

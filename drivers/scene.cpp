@@ -127,6 +127,8 @@ void add_output(List& valid) {
   List& output = declare_list(valid, "output", "what is written while the run goes on");
   declare(output, "interval", 0.0, at_least_zero(),
           "simulated time between outputs; 0: a tenth of the run [s]");
+  declare(output, "history interval", 0.0, at_least_zero(),
+          "simulated time between further lines of history.csv; 0: only at outputs [s]");
   declare(output, "particles", true, anything(), "particles, as .vtp [-]");
   declare(output, "grid", true, anything(), "nodes and cells, as .vti [-]");
 }

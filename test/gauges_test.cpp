@@ -220,7 +220,8 @@ TEST(Gauges, SeeAConstantPressureInAUniformFlow) {
 }
 
 // The shock of Hu & Chen's tube, from the interface at 0.5 over a gauge at 0.6. It is spread over
-// some three cells, and the spline sees one and a half to each side.
+// some three cells, and the spline sees one and a half to each side. Arrival is where the pressure
+// has risen by half: in place within half a cell. From four cells on the plateau has begun.
 TEST(Gauges, BehindAShockKeepItsPressure) {
   const List tube = load_scene({(data_folder() / "inputs/riemann.xml").string(), {}, {}});
   const Riemann exact(tube.sublist("exact"));
@@ -242,8 +243,7 @@ TEST(Gauges, BehindAShockKeepItsPressure) {
     if (last > 0) variation += std::fabs(pressure[k] - pressure[last]) / plateau;
     last = k;
   }
-  EXPECT_LT(variation, 0.02);
-  RecordProperty("variation", std::to_string(variation));
+  EXPECT_LT(variation, 0.03);  // measured 0.018; with half the radius 0.035
   EXPECT_NEAR(value(result.outcome.measures, "a b impulse"),
               (plateau - 0.001) * (0.143 - 0.1 / speed), 0.01 * plateau * 0.143);
 }

@@ -116,7 +116,6 @@ TYPED_TEST(Probe, PrefersFluidsUnlessAMaterialIsNamed) {
       state, {{{0, 0, 0}, 0.5, -1, false}, {{0, 0, 0}, 0.5, 0, false}, {{0, 0, 0}, 0.5, 1, false}});
   EXPECT_EQ(seen[0].pressure, seen[1].pressure);
   EXPECT_NE(seen[0].pressure, seen[2].pressure);
-  const Array<double> pressure("pressure", state.groups[1]->particles.count), energy(pressure);
   EXPECT_NEAR(seen[2].pressure, summed(state, {{0, 0, 0}, 0.5, 1, false}).pressure, 1e-13);
 }
 

@@ -190,6 +190,29 @@ TEST(Program, WritesWhatIsAskedForOnly) {
   EXPECT_EQ(lines_of(none.err), 1) << none.err;
 }
 
+// Sod's tube to 0.2 with lines every 0.01: head, start, 19 between, end; pictures stay where they
+// were.
+TEST(Program, WritesMoreHistoryThanPicturesWhenAsked) {
+  const Folder folder("history");
+  const Ran ran =
+      run_program("run '" + input("sod") + "'" + small +
+                  "--set 'output/history interval=0.01' --out '" + folder.path.string() + "'");
+  EXPECT_EQ(ran.status, 0) << ran.err;
+  EXPECT_EQ(lines_of(read_file(folder.path / "history.csv")), 22);
+  EXPECT_TRUE(fs::exists(folder.path / "grid_000010.vti"));
+  EXPECT_FALSE(fs::exists(folder.path / "grid_000011.vti"));
+}
+
+TEST(Program, WritesWhatGaugesSee) {
+  const Folder folder("gauges");
+  const Ran ran = run_program("run '" + input("gauges") + "' --set gauges/interval=0.02 --out '" +
+                              folder.path.string() + "'");
+  EXPECT_EQ(ran.status, 0) << ran.err;
+  EXPECT_EQ(lines_of(read_file(folder.path / "gauges.csv")), 12);
+  EXPECT_EQ(summary_of(folder.path)["measures"]["ahead arrival"]["unit"], "s");
+  EXPECT_FALSE(summary_of(folder.path)["measures"]["ahead impulse"]["value"].is_null());
+}
+
 TEST(Program, RunsRiemannToItsLimits) {
   const Folder folder("riemann");
   const Ran ran =
