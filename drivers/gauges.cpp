@@ -33,8 +33,8 @@ List valid_gauge(const std::vector<std::string>& materials, int dim) {
   declare(valid, "reference pressure", not_given, anything(),
           "from which overpressure counts; not given: what it sees at the start [Pa]");
   declare(valid, "arrival", 0.0, at_least_zero(),
-          "overpressure that counts as arrival; 0: a twentieth of the reference pressure, or of "
-          "the peak where that is not positive [Pa]");
+          "overpressure that counts as arrival; 0: a twentieth of the reference pressure or of the "
+          "peak, whichever is more [Pa]");
   return valid;
 }
 
@@ -166,9 +166,10 @@ std::size_t Gauges::Gauge::peak() const {
   return std::max_element(overpressure.begin(), overpressure.end()) - overpressure.begin();
 }
 
+/// A share of a low reference alone would be reached by the foot of a shock that is spread over
+/// cells, or by noise.
 double Gauges::Gauge::threshold() const {
-  if (arrival > 0) return arrival;
-  return arrival_share * (reference > 0 ? reference : overpressure[peak()]);
+  return arrival > 0 ? arrival : arrival_share * std::max(reference, overpressure[peak()]);
 }
 
 /// Linear between samples; never: not a number.

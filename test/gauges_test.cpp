@@ -114,6 +114,8 @@ TEST(Gauges, CountArrivalFromWhatIsGiven) {
   const auto absolute = record(known, 40, set("reference pressure", 0.5)).measures();
   EXPECT_NEAR(value(absolute, "a b peak overpressure"), 0.5, 1e-15);
   EXPECT_NEAR(value(absolute, "a b arrival"), 0.0525, 1e-15);
+  const auto low = record(known, 40, set("reference pressure", 0.2)).measures();
+  EXPECT_NEAR(value(low, "a b arrival"), 0.024, 1e-15);  // of the peak, 0.8
 }
 
 TEST(Gauges, ThatSeeNothingFeelNothing) {
