@@ -43,6 +43,7 @@ struct State {
   long step = 0;
   std::int64_t next_id = 0;
 
+  Array<double> debt;  ///< see Group
   std::vector<Vec<D>>
       stopped;  ///< of each class: nodal momentum that walls took out at the start of the step
   Vec<D> wall_impulse;  ///< momentum given to walls so far [N s], per metre or square metre

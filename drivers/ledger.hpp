@@ -39,7 +39,8 @@ class Ledger {
   /// What has left through free ends, in a line for people.
   std::string departures(const Balance& now) const;
 
-  /// A line of history.csv, and its head.
+  /// A line of history.csv, and its head. After the sums over everything stand those over each
+  /// material, as mass_NAME.
   std::string head() const;
   std::string line(const Balance& now) const;
 
@@ -48,6 +49,9 @@ class Ledger {
   std::vector<std::string> materials_;
   bool solids_ = false;
 };
+
+/// A name as the last part of that of a column: what is neither letter nor digit becomes _.
+std::string column_name(std::string name);
 
 /// The measures of a scene with these materials, whatever happens in it; those of solids if it has
 /// any.

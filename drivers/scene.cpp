@@ -8,6 +8,7 @@
 #include "core/transfer.hpp"
 #include "drivers/cracks.hpp"
 #include "drivers/exact.hpp"
+#include "drivers/gauges.hpp"
 #include "drivers/ledger.hpp"
 #include "drivers/lighting.hpp"
 #include "drivers/presets.hpp"
@@ -135,6 +136,8 @@ void add_output(List& valid) {
   List& output = declare_list(valid, "output", "what is written while the run goes on");
   declare(output, "interval", 0.0, at_least_zero(),
           "simulated time between outputs; 0: a tenth of the run [s]");
+  declare(output, "history interval", 0.0, at_least_zero(),
+          "simulated time between further lines of history.csv; 0: only at outputs [s]");
   declare(output, "particles", true, anything(), "particles, as .vtp [-]");
   declare(output, "grid", true, anything(), "nodes and cells, as .vti [-]");
 }
@@ -153,6 +156,8 @@ std::vector<MeasureDoc> special_measures(const List& given, const List* exact, i
   std::vector<MeasureDoc> docs = watch_docs(given);
   if (find_list(given, "cracks"))
     for (const auto& measure : CrackPattern::measure_docs()) docs.push_back(measure);
+  if (const List* gauges = find_list(given, "gauges"))
+    for (const auto& measure : Gauges::measure_docs(list_names(*gauges))) docs.push_back(measure);
   if (!exact) return docs;
   const auto solution = make_exact(check(*exact, valid_exact(*exact)));
   if (solution->least_dim() > dim) refuse(*exact, "solution", "needs a grid of more directions");
@@ -274,6 +279,9 @@ List valid_scene(const List& given) {
   declare_optional_list(valid, "cracks", "measures what a hit does to concrete") =
       CrackPattern::valid_parameters(dim);
   declare_watches(valid, list_names(given_materials), dim);
+  const List* gauges = find_list(given, "gauges");
+  declare_optional_list(valid, "gauges", "what matter is like at some places against time") =
+      Gauges::valid_parameters(gauges, list_names(given_materials), dim);
   add_checks(valid, given, given_materials, exact, dim);
   return valid;
 }
@@ -288,6 +296,7 @@ List complete_scene(const List& given) {
   check_bodies(scene);
   if (const List* ignition = find_list(scene, "ignition")) check_ignition(*ignition);
   make_watches(scene);  // each refuses what it cannot watch
+  if (find_list(scene, "gauges")) Gauges::check(scene);
   return scene;
 }
 

@@ -113,7 +113,11 @@ Totals MaterialGroup<G, M>::totals(int begin, int end, double affine_inertia) co
           if (affine)
             for (int k = 0; k < D * D; ++k)
               twice += affine_inertia * square(point.particles.affine(p, k));
-          for (int d = 0; d < D; ++d) sum.momentum[d] += m * v[d];
+          for (int d = 0; d < D; ++d) {
+            sum.momentum[d] += m * v[d];
+            sum.absolute_momentum[d] += m * fabs(v[d]);
+          }
+          sum.motion += m * sqrt(dot(v, v));
           sum.mass += m;
           sum.kinetic += 0.5 * m * twice;
           sum.internal += m * M::energy(h);
