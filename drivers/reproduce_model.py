@@ -106,8 +106,8 @@ class Judged(NamedTuple):
     verdict: str
 
 
-def number(value):
-    return f"{value:.4g}".replace("e+0", "e").replace("e-0", "e-").replace("e+", "e")
+def number(value, form=".4g"):
+    return f"{value:{form}}".rstrip(".").replace("e+0", "e").replace("e-0", "e-").replace("e+", "e")
 
 
 class Row(NamedTuple):
@@ -138,7 +138,8 @@ class Row(NamedTuple):
             OSError) as error:  # results of another shape: no reason to lose the page
             return Judged(f"cannot be measured: {error!r}", limit, ABSENT)
         inside = (self.low is None or value >= self.low) and (self.high is None or value <= self.high)
-        return Judged(number(value) + unit, limit, (REACHED if inside else MISSED) if limit else SHOWN)
+        form = ".4g" if value == round(value) else "#.4g"  # all four digits, but of whole numbers
+        return Judged(number(value, form) + unit, limit, (REACHED if inside else MISSED) if limit else SHOWN)
 
 
 def measured(case, name, factor=1):
