@@ -3,7 +3,6 @@ import base64
 import html
 import io
 import re
-import sys
 
 from plot_run import Missing, plt
 from reproduce_model import ABSENT, MISSED, REACHED, SHOWN, verdict_of
@@ -118,7 +117,7 @@ def section_part(section, results):
             parts.append(f'<p class="absent"><b>{case.name}</b>: {escape(problem)}</p>')
     parts += [f'<p class="note">{note}</p>' for note in section.notes]
     for exhibit in section.exhibits:
-        print(f"drawing {exhibit.label}", file=sys.stderr, flush=True)
+        print(f"drawing {exhibit.label}", flush=True)
         parts += exhibit_part(section, exhibit, results)
     return "\n".join(parts + [checks_part(section, results)])
 
