@@ -67,10 +67,14 @@ class Runner:
         command = [self.program, "run", scene, "--out", folder, *case.arguments]
         said = ""
         with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as run:
-            for line in run.stderr:
-                said = line.strip() or said
-                if sys.stdout.isatty():
-                    print("    " + said[:110], end="\x1b[K\r", flush=True)
+            try:
+                for line in run.stderr:
+                    said = line.strip() or said
+                    if sys.stdout.isatty():
+                        print("    " + said[:110], end="\x1b[K\r", flush=True)
+            except KeyboardInterrupt:  # which the run has heard, too, and ends with complete results
+                run.wait()
+                raise Interrupted from None
         if run.returncode == 130:
             raise Interrupted
         return f"the run failed: {said}" if run.returncode else ""
