@@ -56,7 +56,8 @@ class Runner:
             with open(os.path.join(folder, RECORD), "w") as file:
                 json.dump(origin, file)
         seconds = result.summary.get("wall_seconds") or 0
-        print("    " + (result.problem or f"{seconds:.1f} s{_standing(result)}"), flush=True)
+        start = "\x1b[K    " if sys.stdout.isatty() else "    "  # over what the run has said
+        print(start + (result.problem or f"{seconds:.1f} s{_standing(result)}"), flush=True)
         return result
 
     def _run(self, case, folder):
