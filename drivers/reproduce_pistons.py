@@ -38,8 +38,8 @@ def draw_deflection(results):
         for k in range(1, int(until * omega / 2 / np.pi) + 1):
             ax.axvline(1e3 * 2 * np.pi * k / omega, color=GREY, lw=1, ls="--",
                 label="exact period" if k == 1 else None)
-        ax.set(title=f"m = {mass} kg", xlabel="time [ms]", ylabel="displacement of the piston [mm]", xlim=(0,
-            1e3 * until))
+        ax.set(title=f"m = {mass} kg", xlabel="time [ms]", ylabel="displacement of the piston [mm]",
+               xlim=(0, 1e3 * until))
     fig.legend(*axes[0].get_legend_handles_labels(), loc="upper right", ncol=3)
     fig.tight_layout(rect=(0, 0, 1, 0.94))
     return fig
@@ -53,17 +53,15 @@ CONTAINER = Section(
     the paper's equation (20), ω = √([<i>K</i> + ρω<i>cA</i> cot(ω<i>L</i>/<i>c</i>)]/<i>m</i>). The piston
     is one heavy point on a spring without mass; in a third run the spring is of elastic points as in the
     paper's Fig. 13, at a hundredth of the piston's density, which has an exact period of its own.</p>""",
-    cases=(Case("piston_container", "piston_container", ("--set", "output/interval=2.5e-4", "--set",
-        "output/grid=false"),
-                about="17.51 kg"),
+    cases=(Case("piston_container", "piston_container",
+                ("--set", "output/interval=2.5e-4", "--set", "output/grid=false"), about="17.51 kg"),
            Case("piston_container_heavy", "piston_container_heavy",
                 ("--set", "output/interval=7e-4", "--set", "output/grid=false"), about="175.1 kg"),
            Case("piston_literal", "piston_literal", about="a spring of elastic points")),
     exhibits=(
         Exhibit("Table 2", "periods of vibration", (
             Row("period, 17.51 kg", "theory 7.08 ms, MPM 7.1 ms", "7.0850 ms",
-                measured("piston_container", "period"), "ms",
-                7.0850 * 0.99, 7.0850 * 1.01),
+                measured("piston_container", "period"), "ms", 7.0850 * 0.99, 7.0850 * 1.01),
             Row("period, 175.1 kg", "theory 22.34 ms, MPM 22.4 ms", "22.3420 ms",
                 measured("piston_container_heavy", "period"), "ms", 22.342 * 0.99, 22.342 * 1.01),
             Row("frequency, 17.51 kg", "theory 886.8 rad/s", "886.831 rad/s",
