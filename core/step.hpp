@@ -3,6 +3,7 @@
 #include "core/group.hpp"
 #include "core/relaxation.hpp"
 #include "core/sort.hpp"
+#include "core/stress_relaxation.hpp"
 
 namespace brisance {
 
@@ -24,6 +25,7 @@ struct StepScheme {
   bool midpoint = true;     ///< compatible energy with half-step stress; else MUSL (Appendix A)
   double split_length = 0;  ///< fluids' particles longer than this many cells are split; 0: never
   RelaxationRates rates;
+  bool relaxes_stress = false;  ///< whether any solid does
 };
 
 template <class G>
@@ -34,6 +36,7 @@ struct State {
   std::vector<std::unique_ptr<Group<G>>> groups;
   StepScheme scheme;
   Accumulator sums;
+  Accumulator means;  ///< of stress; empty unless the scheme relaxes it
   Sorter<G> sorter;
 
   double time = 0;
@@ -46,7 +49,10 @@ struct State {
   Totals outflow;       ///< what left through free ends so far
 
   State(const Grid<G>& grid_, const StepScheme& scheme_)
-      : grid(grid_), scheme(scheme_), sums(grid_.lattice.size, D + (grid_.mixed() ? 2 : 1)) {}
+      : grid(grid_),
+        scheme(scheme_),
+        sums(grid_.lattice.size, D + (grid_.mixed() ? 2 : 1)),
+        means(scheme_.relaxes_stress ? grid_.lattice.size : 0, 4) {}
 
   long particles() const {
     long sum = 0;

@@ -10,6 +10,7 @@
 #include "materials/fluid.hpp"
 #include "materials/registry.hpp"
 #include "test/as_types.hpp"
+#include "test/explosive.hpp"
 
 namespace brisance {
 namespace {
@@ -25,6 +26,12 @@ Sample sample_of(const std::string& law) {
     s.list.set("gamma", 1.4);
     s.rho = 1.29;
     s.energy = 2e5;
+    return s;
+  }
+  if (law == "jwl") {
+    s.list = test::tnt();
+    s.rho = 1630;
+    s.energy = 6e9 / 1630;
     return s;
   }
   throw std::logic_error("add a sample of '" + law + "' to this test");
