@@ -111,8 +111,8 @@ def draw_energies(results):
             ax.plot(1e6 * table["time"], 1e-6 * table["internal_" + column], color=colour, lw=1.2, ls="--",
                     label=f"{material}, internal")
         ax.plot(1e6 * table["time"], 1e-6 * table["total"], color=GREY, lw=1.1, ls=":", label="total")
-        ax.set(title="with case" if name == "bomb_cased" else "without case", xlabel="time [µs]", ylim=(0,
-            None))
+        ax.set(title="with case" if name == "bomb_cased" else "without case", xlabel="time [µs]",
+               ylim=(0, None))
     axes[0].set_ylabel("energy [MJ/m]")
     fig.legend(*axes[0].get_legend_handles_labels(), loc="lower center", ncol=5, fontsize=9)
     fig.tight_layout(rect=(0, 0.1, 1, 1))

@@ -144,8 +144,8 @@ def draw_blast(results):
         turn = np.linspace(0, 2 * np.pi, 200)
         ax.plot(0.1677 * np.cos(turn), 0.1677 * np.sin(turn), color="#57e0ff", lw=1.3, ls=(0, (4, 3)),
             label="exact front")
-        ax.set(title=f"{key} [{unit}]", xlabel="x [m]", ylabel="y [m]", xlim=(-0.22, 0.22), ylim=(-0.22,
-            0.22))
+        ax.set(title=f"{key} [{unit}]", xlabel="x [m]", ylabel="y [m]", xlim=(-0.22, 0.22),
+               ylim=(-0.22, 0.22))
         ax.grid(False)
         fig.colorbar(image, ax=ax, fraction=0.046, pad=0.03)
     axes[0].legend(loc="upper right", labelcolor="white")

@@ -118,9 +118,8 @@ IMPACT = Section(
     row. Two more runs tell what the grid does: the same on 120 × 120 cells, and the same turned by 90
     degrees.</p>""",
     cases=(Case("concrete_impact", "concrete_impact", about="as in the paper"),
-           Case("concrete_impact_fine", "concrete_impact", ("--set", "grid/cells={120, 120}", "--set",
-                                                            "grid/cell size=0.0125"),
-                                                            about="120 × 120 cells"),
+           Case("concrete_impact_fine", "concrete_impact",
+                ("--set", "grid/cells={120, 120}", "--set", "grid/cell size=0.0125"), about="120 × 120 cells"),
            Case("concrete_impact_turned", "concrete_impact", TURNED, about="turned by 90 degrees")),
     exhibits=(
         Exhibit("Fig. 11", "failure pattern of the concrete wall", (
