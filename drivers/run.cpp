@@ -9,6 +9,7 @@
 #include "drivers/cracks.hpp"
 #include "drivers/progress.hpp"
 #include "drivers/simulation.hpp"
+#include "drivers/watch.hpp"
 
 namespace brisance {
 namespace {
@@ -50,14 +51,17 @@ RunResult run(const List& scene, const RunOptions& options) {
   const List* crack_list = find_list(scene, "cracks");
   std::optional<CrackPattern> cracks;
   if (crack_list) cracks.emplace(*crack_list);
+  const auto watches = make_watches(scene);
   const auto write = [&](const Snapshot& shot) {
     if (cracks) cracks->observe(shot.table, shot.time);
+    for (const auto& watch : watches) watch->observe(shot.table, shot.time);
     if (!results) return;
+    for (const auto& watch : watches) watch->write(results->folder());
     results->add(shot);
     results->add(ledger, simulation->balance());
   };
   const auto output = [&] {
-    if (results || cracks) write(simulation->snapshot());
+    if (results || cracks || !watches.empty()) write(simulation->snapshot());
   };
 
   Progress::Options shown;
@@ -97,6 +101,8 @@ RunResult run(const List& scene, const RunOptions& options) {
       result.outcome.measures.push_back(m);
   if (cracks)
     for (const Measure& m : cracks->measures(shot.table)) result.outcome.measures.push_back(m);
+  for (const auto& watch : watches)
+    for (const Measure& m : watch->measures()) result.outcome.measures.push_back(m);
   if (result.outcome.status == "finished")
     result.outcome.verdicts = judge(find_list(scene, "checks"), result.outcome.measures);
   if (results) {

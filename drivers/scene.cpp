@@ -10,6 +10,7 @@
 #include "drivers/exact.hpp"
 #include "drivers/ledger.hpp"
 #include "drivers/presets.hpp"
+#include "drivers/watch.hpp"
 #include "materials/registry.hpp"
 
 namespace brisance {
@@ -155,9 +156,10 @@ void add_range(List& list, const MeasureDoc& measure) {
 }
 
 /// What of a scene is measured beyond its balances.
-std::vector<MeasureDoc> special_measures(const List* exact, bool cracks, int dim) {
-  std::vector<MeasureDoc> docs;
-  if (cracks) docs = CrackPattern::measure_docs();
+std::vector<MeasureDoc> special_measures(const List& given, const List* exact, int dim) {
+  std::vector<MeasureDoc> docs = watch_docs(given);
+  if (find_list(given, "cracks"))
+    for (const auto& measure : CrackPattern::measure_docs()) docs.push_back(measure);
   if (!exact) return docs;
   const auto solution = make_exact(check(*exact, valid_exact(*exact)));
   if (solution->least_dim() > dim) refuse(*exact, "solution", "needs a grid of more directions");
@@ -165,12 +167,12 @@ std::vector<MeasureDoc> special_measures(const List* exact, bool cracks, int dim
   return docs;
 }
 
-void add_checks(List& valid, const List& materials, const List* exact, bool cracks, int dim) {
+void add_checks(List& valid, const List& given, const List& materials, const List* exact, int dim) {
   List& checks =
       declare_optional_list(valid, "checks", "what the run must reach; told by 'verify'");
   for (const auto& measure : balance_measures(list_names(materials), any(materials, false)))
     add_range(checks, measure);
-  const auto measures = special_measures(exact, cracks, dim);
+  const auto measures = special_measures(given, exact, dim);
   if (measures.empty()) return;
   for (const auto& measure : measures) add_range(checks, measure);
 
@@ -281,7 +283,8 @@ List valid_scene(const List& given) {
   if (exact) exact_list = valid_exact(*exact);
   declare_optional_list(valid, "cracks", "measures what a hit does to concrete") =
       CrackPattern::valid_parameters(dim);
-  add_checks(valid, given_materials, exact, find_list(given, "cracks") != nullptr, dim);
+  declare_watches(valid, list_names(given_materials), dim);
+  add_checks(valid, given, given_materials, exact, dim);
   return valid;
 }
 
@@ -293,6 +296,7 @@ List complete_scene(const List& given) {
   check_pairs(scene, dimension(scene));
   check_scheme(scene);
   check_bodies(scene);
+  make_watches(scene);  // each refuses what it cannot watch
   return scene;
 }
 
