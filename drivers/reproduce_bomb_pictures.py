@@ -1,7 +1,8 @@
 """Pictures of the bomb in the box. The paper's steps I to XIII are spread evenly over a run."""
 from matplotlib.colors import LogNorm
 
-from plot_run import GREY, INK, NAVY, RED, TEAL, VIOLET, Missing, means, np, plt
+import plot_fragments
+from plot_run import GREY, INK, NAVY, RED, TEAL, VIOLET, Missing, Run, means, np, plt
 from reproduce_box import Box
 from reproduce_impact import failure, squares
 
@@ -139,16 +140,19 @@ def draw_gauges(results):
     return fig
 
 
+class Kept(Run):
+    """A run whose pictures are kept for the page."""
+    fig = None
+
+    def save(self, fig, _):
+        self.fig = fig
+
+
 def draw_fragments(results):
     """Mass and speed of the pieces of the case at the end."""
-    table = results["bomb_cased"].table("fragments.csv", ("time", "mass", "velocity_x", "velocity_y"))
-    last = table["time"] == table["time"].max()
-    mass, speed = table["mass"][last], np.hypot(table["velocity_x"], table["velocity_y"])[last]
-    fig, (left, right) = plt.subplots(1, 2, figsize=(11.5, 4.2))
-    heavy = np.sort(mass)[::-1]
-    left.step(heavy, np.arange(1, len(heavy) + 1), where="pre", color=NAVY, lw=1.6)
-    left.set(xscale="log", xlabel="mass [kg/m]", ylabel="fragments at least as heavy [-]", ylim=(0, None))
-    right.plot(mass, speed, "o", ms=5, mfc="white", mec=NAVY)
-    right.set(xscale="log", xlabel="mass [kg/m]", ylabel="speed [m/s]", ylim=(0, None))
-    fig.tight_layout()
-    return fig
+    run = Kept(results["bomb_cased"].folder, None)
+    run.load()
+    plot_fragments.draw_fragments(run)
+    if run.fig is None:
+        raise Missing("bomb_cased has no fragments.csv")
+    return run.fig
