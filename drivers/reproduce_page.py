@@ -106,7 +106,8 @@ def checks_part(section, results):
         return ""
     missed = sum(MISSED in row[-1] for row in rows)
     return (f"<details{' open' * bool(missed)}><summary>What these scenes check: "
-            f"{len(rows) - missed} reached, {missed} missed</summary>{table(('run', 'quantity', 'value', 'limit', ''), rows)}</details>")
+            f"{len(rows) - missed} reached, {missed} missed</summary>"
+            + table(("run", "quantity", "value", "limit", ""), rows) + "</details>")
 
 
 def section_part(section, results):
