@@ -222,8 +222,9 @@ class Step {
   void arrange(Group<G>& g) {
     const int left = s.sorter.sort(g.particles, *g.transfer, s.grid.lattice);
     const int count = g.particles.count;
-    if (left > 0)
-      s.outflow += g.totals(count, count + left, g.transfer->affine_inertia(s.grid.lattice.h));
+    if (left == 0) return;
+    s.outflow += g.totals(count, count + left, g.transfer->affine_inertia(s.grid.lattice.h));
+    s.left += left;
   }
 
   Kokkos::RangePolicy<Space> nodes() const {

@@ -47,6 +47,7 @@ struct State {
       stopped;  ///< of each class: nodal momentum that walls took out at the start of the step
   Vec<D> wall_impulse;  ///< momentum given to walls so far [N s], per metre or square metre
   Totals outflow;       ///< what left through free ends so far
+  long left = 0;        ///< in how many particles
 
   State(const Grid<G>& grid_, const StepScheme& scheme_)
       : grid(grid_),

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "drivers/files.hpp"
 #include "drivers/fragments.hpp"
@@ -12,6 +13,7 @@ FragmentWatch::FragmentWatch(const List& list, const WatchedMaterials& materials
     : material_(materials.number(get<std::string>(list, "material"))),
       reach_(get<double>(list, "reach")),
       least_mass_(get<double>(list, "least mass")),
+      at_(get<double>(list, "at")),
       dust_(get<bool>(list, "dust")) {
   if (materials.fluid[material_]) refuse(list, "material", "must be a solid");
 }
@@ -25,6 +27,8 @@ List FragmentWatch::valid_parameters(const std::vector<std::string>& materials) 
           "points belong together within this times the mean of their sizes [-]");
   declare(valid, "least mass", 0.0, at_least_zero(),
           "of a piece that counts, per metre or square metre [kg]");
+  declare(valid, "at", 0.0, at_least_zero(),
+          "time of which the measures tell, by the first output there; 0: the end [s]");
   declare(valid, "dust", true, anything(),
           "points that have lost all strength belong to no piece [-]");
   return valid;
@@ -32,7 +36,7 @@ List FragmentWatch::valid_parameters(const std::vector<std::string>& materials) 
 
 std::vector<MeasureDoc> FragmentWatch::measure_docs() {
   return {
-      {"fragments", "-", "number of pieces that count, by the least mass, at the end"},
+      {"fragments", "-", "number of pieces that count, by the least mass"},
       {"largest fragment", "kg", "mass of the heaviest piece, per metre or square metre"},
       {"dust mass", "kg", "of points that have lost all strength"},
       {"fastest fragment", "m/s", "greatest speed of the centres of the pieces that count"},
@@ -45,9 +49,9 @@ std::vector<MeasureDoc> FragmentWatch::measure_docs() {
 }
 
 void FragmentWatch::observe(const ParticleTable& table, double time) {
-  last_ = find_fragments(table, material_, reach_, dust_);
+  Fragments now = find_fragments(table, material_, reach_, dust_);
   int number = 0;
-  for (const Fragment& f : last_.pieces) {
+  for (const Fragment& f : now.pieces) {
     if (f.mass < least_mass_) break;
     char row[512];
     std::snprintf(row, sizeof row,
@@ -57,12 +61,15 @@ void FragmentWatch::observe(const ParticleTable& table, double time) {
                   f.width);
     rows_ += row;
   }
+  if (settled_) return;
+  found_ = std::move(now);
+  settled_ = at_ > 0 && time >= at_;
 }
 
 std::vector<Measure> FragmentWatch::measures() const {
   double count = 0, mass = 0, speed = 0, slenderness = 0;
   double fastest = std::nan(""), slowest = std::nan("");
-  for (const Fragment& f : last_.pieces) {
+  for (const Fragment& f : found_.pieces) {
     if (f.mass < least_mass_) break;
     ++count;
     mass += f.mass;
@@ -73,15 +80,15 @@ std::vector<Measure> FragmentWatch::measures() const {
   }
   return with_values(measure_docs(),
                      {{"fragments", count},
-                      {"largest fragment", last_.pieces.empty() ? 0 : last_.pieces.front().mass},
-                      {"dust mass", last_.dust.mass},
+                      {"largest fragment", found_.pieces.empty() ? 0 : found_.pieces.front().mass},
+                      {"dust mass", found_.dust.mass},
                       {"fastest fragment", fastest},
                       {"slowest fragment", slowest},
                       {"mean fragment speed", count > 0 ? speed / mass : std::nan("")},
                       {"fragment slenderness", count > 0 ? slenderness / mass : std::nan("")},
-                      {"fragment mass error", last_.mass_error()},
-                      {"fragment momentum error", last_.momentum_error()},
-                      {"fragment energy error", last_.energy_error()}});
+                      {"fragment mass error", found_.mass_error()},
+                      {"fragment momentum error", found_.momentum_error()},
+                      {"fragment energy error", found_.energy_error()}});
 }
 
 void FragmentWatch::write(const std::filesystem::path& folder) const {

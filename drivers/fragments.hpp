@@ -56,16 +56,17 @@ class FragmentWatch final : public Watch {
   static std::vector<MeasureDoc> measure_docs();
 
   void observe(const ParticleTable& table, double time) override;
-  /// Of the last table observed, in the order of measure_docs().
+  /// Of the first table at or past the time asked for, else of the last one.
   std::vector<Measure> measures() const override;
   /// fragments.csv: a row for each piece of each output.
   void write(const std::filesystem::path& folder) const override;
 
  private:
   int material_;
-  double reach_, least_mass_;
+  double reach_, least_mass_, at_;
   bool dust_;
-  Fragments last_;
+  Fragments found_;  ///< what measures() tells of
+  bool settled_ = false;
   std::string rows_;
 };
 

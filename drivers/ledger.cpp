@@ -69,10 +69,18 @@ std::vector<Measure> Ledger::measures(const Balance& now) const {
   return with_values(balance_measures(materials_, solids_), values);
 }
 
+std::string Ledger::departures(const Balance& now) const {
+  char text[120];
+  std::snprintf(text, sizeof text, "left the grid: %ld particles with %.3g kg, %.3g %% of all",
+                now.left, now.outflow.mass, 100 * ratio(now.outflow.mass, start_.mass));
+  return text;
+}
+
 std::string Ledger::head() const {
   std::string text =
       "step,time,dt,particles,mass,momentum_x,momentum_y,momentum_z,kinetic,internal,total,"
       "mass_error,momentum_error,energy_error,outflow_mass,"
+      "outflow_particles,outflow_momentum_x,outflow_momentum_y,outflow_momentum_z,outflow_energy,"
       "wall_impulse_x,wall_impulse_y,wall_impulse_z";
   if (solids_) text += ",elastic,plastic,damage,decohesion";
   return text + "\n";
@@ -93,8 +101,11 @@ std::string Ledger::line(const Balance& b) const {
     add(",%.17g", value);
   for (const double value : {mass_error(b), momentum_error(b), energy_error(b)})
     add(",%.6g", value);
+  add(",%.17g", b.outflow.mass);
+  text += "," + std::to_string(b.left);
   for (const double value :
-       {b.outflow.mass, b.wall_impulse[0], b.wall_impulse[1], b.wall_impulse[2]})
+       {b.outflow.momentum[0], b.outflow.momentum[1], b.outflow.momentum[2], b.outflow.total(),
+        b.wall_impulse[0], b.wall_impulse[1], b.wall_impulse[2]})
     add(",%.17g", value);
   if (solids_)
     for (const double value : {t.work.elastic, t.work.plastic, t.work.damage, t.work.decohesion})

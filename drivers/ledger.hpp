@@ -15,6 +15,7 @@ struct Balance {
   double time = 0, dt = 0;  // [s]
   long particles = 0;
   Totals totals, outflow;
+  long left = 0;  // particles in the outflow
   struct Material {
     std::string name;
     bool solid = false;
@@ -34,6 +35,9 @@ class Ledger {
   double momentum_error(const Balance& now) const;
   double energy_error(const Balance& now) const;
   std::vector<Measure> measures(const Balance& now) const;
+
+  /// What has left through free ends, in a line for people.
+  std::string departures(const Balance& now) const;
 
   /// A line of history.csv, and its head.
   std::string head() const;

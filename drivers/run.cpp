@@ -92,6 +92,7 @@ RunResult run(const List& scene, const RunOptions& options) {
   progress.finish(standing());
 
   result.end = simulation->balance();
+  if (result.end.left > 0) progress.note(ledger.departures(result.end));
   result.cell_size = get<double>(scene.sublist("grid"), "cell size");
   const Snapshot shot = simulation->snapshot();
   write(shot);

@@ -9,7 +9,9 @@
 #include "drivers/cracks.hpp"
 #include "drivers/exact.hpp"
 #include "drivers/ledger.hpp"
+#include "drivers/lighting.hpp"
 #include "drivers/presets.hpp"
+#include "drivers/shapes.hpp"
 #include "drivers/watch.hpp"
 #include "materials/registry.hpp"
 
@@ -89,15 +91,6 @@ void add_time(List& valid, const Preset& preset) {
           "share of its volume that a particle may gain or lose in a step [-]");
 }
 
-void add_shape(List& valid, int dim) {
-  List& box = declare_optional_list(valid, "box", "the body is a box");
-  declare_required<std::vector<double>>(box, "low", anything() && entries(dim), "low corner [m]");
-  declare_required<std::vector<double>>(box, "high", anything() && entries(dim), "high corner [m]");
-  List& disc = declare_optional_list(valid, "disc", "the body is a disc");
-  declare_required<std::vector<double>>(disc, "centre", anything() && entries(dim), "centre [m]");
-  declare_required<double>(disc, "radius", positive(), "radius [m]");
-}
-
 List valid_body(const List& given, const List& materials, int dim) {
   List valid;
   declare_required<std::string>(valid, "material", one_of(list_names(materials)),
@@ -134,7 +127,7 @@ List valid_body(const List& given, const List& materials, int dim) {
     declare(valid, "velocity", std::vector<double>(dim, 0.0), anything() && entries(dim),
             "velocity [m/s]");
   }
-  add_shape(valid, dim);
+  declare_shapes(valid, given, dim);
   return valid;
 }
 
@@ -229,15 +222,9 @@ void check_bodies(const List& scene) {
   const List& bodies = scene.sublist("bodies");
   for (const auto& name : list_names(bodies)) {
     const List& body = bodies.sublist(name);
-    const List *box = find_list(body, "box"), *disc = find_list(body, "disc");
-    if (box && disc) refuse(*disc, "", "stands beside 'box': a body has one shape");
+    check_shape(body);
     if (get<std::string>(body, "initial state") == "exact" && !find_list(scene, "exact"))
       refuse(body, "initial state", "needs a list 'exact' in the scene");
-    if (!box) continue;
-    const auto low = get<std::vector<double>>(*box, "low"),
-               high = get<std::vector<double>>(*box, "high");
-    for (std::size_t d = 0; d < low.size(); ++d)
-      if (!(low[d] < high[d])) refuse(*box, "high", "must be above 'low' along each direction");
   }
 }
 
@@ -276,6 +263,9 @@ List valid_scene(const List& given) {
     declare_list(bodies, name, "a body") =
         valid_body(*find_list(given_bodies, name), given_materials, dim);
 
+  declare_optional_list(valid, "ignition", "what lights the explosives, and when") =
+      valid_ignition(empty_or(find_list(given, "ignition")), dim);
+
   add_output(valid);
   const List* exact = find_list(given, "exact");
   List& exact_list =
@@ -296,6 +286,7 @@ List complete_scene(const List& given) {
   check_pairs(scene, dimension(scene));
   check_scheme(scene);
   check_bodies(scene);
+  if (const List* ignition = find_list(scene, "ignition")) check_ignition(*ignition);
   make_watches(scene);  // each refuses what it cannot watch
   return scene;
 }

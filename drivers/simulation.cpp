@@ -7,6 +7,7 @@
 #include "core/geometry.hpp"
 #include "core/step.hpp"
 #include "drivers/bodies.hpp"
+#include "drivers/ignition.hpp"
 #include "materials/registry.hpp"
 
 namespace brisance {
@@ -49,6 +50,7 @@ class SimulationIn final : public Simulation {
       state_.groups.push_back(std::move(group));
     }
     seed(state_, scene, exact);
+    set_lighting_times(state_, scene);
     prepare(state_);
     fastest_ = begin_step(state_, others_);
     dt_ = stable_step();
@@ -79,6 +81,7 @@ class SimulationIn final : public Simulation {
     b.dt = dt();
     b.particles = state_.particles();
     b.outflow = state_.outflow;
+    b.left = state_.left;
     for (int d = 0; d < D; ++d) b.wall_impulse[d] = state_.wall_impulse[d];
     for (const auto& g : state_.groups) {
       const Totals of_group =

@@ -231,9 +231,9 @@ TEST(Fragments, OfNothingAreNone) {
   EXPECT_EQ(find_fragments(t, 0, reach, true).mass_error(), 0);
 }
 
-FragmentWatch watch(double least_mass) {
+FragmentWatch watch(double least_mass, double at = 0) {
   List given;
-  given.set("material", "steel").set("least mass", least_mass);
+  given.set("material", "steel").set("least mass", least_mass).set("at", at);
   const WatchedMaterials materials{{"steel", "air"}, {false, true}};
   return {check(given, FragmentWatch::valid_parameters(materials.names)), materials};
 }
@@ -261,6 +261,20 @@ TEST(FragmentWatch, CountsPiecesFromTheLeastMassOn) {
   const std::string text = read_file(folder.path / "fragments.csv");
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 3) << text;
   EXPECT_NE(text.find("\n0.25,1,6,12,1,1.5,0,1,0,6,0,0,"), std::string::npos) << text;
+}
+
+TEST(FragmentWatch, TellsOfTheFirstOutputPastItsTime) {
+  FragmentWatch seen = watch(0, 0.5);
+  for (const double time : {0.25, 0.6, 0.8}) {
+    ParticleTable t = empty_plane();
+    add_lattice(t, 1, 1, {});
+    t.vy[0] = time;
+    seen.observe(t, time);
+  }
+  for (const Measure& m : seen.measures())
+    if (m.name == "fastest fragment") {
+      EXPECT_EQ(m.value, 0.6);
+    }
 }
 
 TEST(FragmentWatch, RefusesAGas) {
