@@ -49,7 +49,7 @@ class Step {
                                    dt);
     for (auto& g : s.groups) g->finish(s.grid, dt);
     new_order();
-    if (any_fluid()) relax(s.groups, s.grid, s.sums, rates(), dt);
+    if (anything_relaxes()) relax(s.groups, s.grid, s.sums, rates(), dt);
   }
 
   /// Appendix A of Hu & Chen (2006): the velocities mapped back to the old positions give the
@@ -68,9 +68,9 @@ class Step {
   }
 
  private:
-  bool any_fluid() const {
+  bool anything_relaxes() const {
     for (const auto& g : s.groups)
-      if (g->fluid()) return true;
+      if (g->relaxes()) return true;
     return false;
   }
 

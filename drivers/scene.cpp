@@ -52,6 +52,19 @@ bool any_solid(const List& materials) {
   return false;
 }
 
+/// The linear fluid of that name, which gives density and pressure to its bodies; nothing if it is
+/// none, or incomplete.
+std::optional<LinearFluid> linear_fluid(const List& materials, const std::string& name) {
+  const List* given = find_list(materials, name);
+  const List valid = LinearFluid::valid_parameters();
+  for (const char* needed : {"law", "density", "bulk modulus"})
+    if (!given || !has(*given, needed)) return {};
+  if (!given->isType<std::string>("law") || given->get<std::string>("law") != LinearFluid::name)
+    return {};
+  return LinearFluid(peek<double>(*given, valid, "bulk modulus"),
+                     peek<double>(*given, valid, "density"));
+}
+
 void add_grid(List& valid, int dim) {
   List& grid = declare_list(valid, "grid", "the background grid of square cells");
   declare(grid, "origin", std::vector<double>(dim, 0.0), anything() && entries(dim),
@@ -102,7 +115,10 @@ List valid_body(const List& given, const List& materials, int dim) {
   declare(valid, "initial state", "uniform", one_of({"uniform", "exact"}),
           "uniform, or that of the exact solution at time 0 [-]");
   if (peek<std::string>(given, valid, "initial state") == "uniform") {
-    if (solid)
+    const auto liquid = linear_fluid(materials, peek<std::string>(given, valid, "material"));
+    if (liquid)
+      liquid->declare_state(valid, given);
+    else if (solid)
       declare(valid, "density", *solid, positive(), "density [kg/m^3]");
     else
       declare_required<double>(valid, "density", positive(), "density [kg/m^3]");
@@ -110,10 +126,10 @@ List valid_body(const List& given, const List& materials, int dim) {
       refuse(given, "specific energy", "is given beside 'pressure': give one of the two");
     if (solid)
       declare(valid, "pressure", 0.0, anything(), "pressure, compression positive [Pa]");
-    else if (has(given, "specific energy"))
+    else if (has(given, "specific energy") && !liquid)
       declare_required<double>(valid, "specific energy", at_least_zero(),
                                "specific internal energy [J/kg]");
-    else
+    else if (!liquid)
       declare_required<double>(valid, "pressure", at_least_zero(), "pressure [Pa]");
     declare(valid, "velocity", std::vector<double>(dim, 0.0), anything() && entries(dim),
             "velocity [m/s]");

@@ -1,15 +1,24 @@
 #pragma once
 // A fluid: an equation of state with the viscosities it was given.
+#include <type_traits>
+
 #include "materials/material.hpp"
 #include "materials/viscosity.hpp"
 
 namespace brisance {
 
+/// Whether pressure depends on energy. Where an equation of state says that it does not, the energy
+/// is a ledger and the pressure may be a tension.
+template <class Eos, class = void>
+inline constexpr bool is_thermal = true;
+template <class Eos>
+inline constexpr bool is_thermal<Eos, std::void_t<decltype(Eos::thermal)>> = Eos::thermal;
+
 template <class Eos, class Shear = Inviscid, class Shock = NoShockViscosity>
 struct Fluid {
   static constexpr const char* name = Eos::name;
   static constexpr Stress stress = Shear::stress;
-  static constexpr bool fluid = true;
+  static constexpr bool fluid = true, thermal = is_thermal<Eos>;
 
   struct History {
     double energy = 0;
@@ -24,11 +33,21 @@ struct Fluid {
   KOKKOS_INLINE_FUNCTION static double energy(const History& h) { return h.energy; }
 
   KOKKOS_INLINE_FUNCTION double pressure(double rho, double e) const {
-    return most(eos.offset(rho) + eos.slope(rho) * e, 0);
+    const double p = eos.offset(rho) + eos.slope(rho) * e;
+    return thermal ? most(p, 0) : p;
+  }
+  /// What bounds the viscosity of an expansion: the pressure, or the stiffness of what bears
+  /// tension. [Pa]
+  KOKKOS_INLINE_FUNCTION double strength(double rho, double e) const {
+    return thermal ? pressure(rho, e) : rho * eos.sound_speed2(rho, e);
   }
   /// The state variables of gas at a given density and pressure [Pa], or specific energy [J/kg].
   KOKKOS_INLINE_FUNCTION History initial(double rho, double given, bool from_energy) const {
-    return {from_energy ? given : (given - eos.offset(rho)) / eos.slope(rho)};
+    if (from_energy) return {given};
+    if constexpr (thermal)
+      return {(given - eos.offset(rho)) / eos.slope(rho)};
+    else
+      return {eos.elastic_energy(rho)};
   }
   KOKKOS_INLINE_FUNCTION double sound_speed(double rho, const History& h) const {
     return sqrt(most(eos.sound_speed2(rho, h.energy), 0));
@@ -55,7 +74,7 @@ struct Fluid {
   KOKKOS_INLINE_FUNCTION Response update(const Strain& in, const Sym3& old, History& h) const {
     const double K = eos.shock_slope();
     const double q =
-        shock.pressure(in.rho0, pressure(in.rho0, h.energy), sound_speed(in.rho0, h), K, in);
+        shock.pressure(in.rho0, strength(in.rho0, h.energy), sound_speed(in.rho0, h), K, in);
     const Sym3 viscous = shear.stress_of(in.rate);
     const double viscous_pressure = q - trace(viscous) / 3, p0 = -trace(old) / 3,
                  dv = in.volume_change;
@@ -66,7 +85,7 @@ struct Fluid {
              dv +
          shear_work * in.dt / in.rho0) /
         (1 + 0.5 * eos.slope(in.rho1) * dv);
-    h.energy = most(h.energy, 0);
+    if constexpr (thermal) h.energy = most(h.energy, 0);
     Response r = state(in.rho1, h);
     for (int k = 0; k < 3; ++k) r.stress[k] -= q;
     for (int k = 0; k < 6; ++k) r.stress[k] += viscous[k];
