@@ -157,9 +157,11 @@ class Step {
 
   /// grid.after <- grid.before + dt f / m.
   void force_to_grid() {
+    if (!s.springs.empty()) s.springs.weigh(s.groups, s.grid, s.sums);
     s.sums.clear();
     for (auto& g : s.groups) g->transfer->scatter_force(g->particles, s.grid, g->stress(), s.sums);
     push_walls(collect(D), dt);
+    if (!s.springs.empty()) push_walls(s.springs.pull(s.grid, s.sums.total, dt), 1);
     for (std::size_t c = 0; c < s.grid.own.size(); ++c) push_walls(images(s.grid.before, c), 1);
     const auto before = s.grid.before, after = s.grid.after, force = s.sums.total;
     const double step = dt;

@@ -3,6 +3,7 @@
 #include "core/group.hpp"
 #include "core/relaxation.hpp"
 #include "core/sort.hpp"
+#include "core/springs.hpp"
 
 namespace brisance {
 
@@ -35,6 +36,7 @@ struct State {
   StepScheme scheme;
   Accumulator sums;
   Sorter<G> sorter;
+  Springs<G> springs;
 
   double time = 0;
   long step = 0;

@@ -10,7 +10,10 @@ double ratio(double error, double scale) { return scale > 0 ? error / scale : er
 
 }  // namespace
 
-Ledger::Ledger(const Balance& start) : start_(start.totals) {
+Ledger::Ledger(const Balance& start)
+    : start_(start.totals),
+      springs_(start.springs.value_or(0)),
+      sprung_(start.springs.has_value()) {
   for (const auto& m : start.materials) {
     materials_.push_back(m.name);
     solids_ = solids_ || m.solid;
@@ -32,7 +35,8 @@ double Ledger::momentum_error(const Balance& now) const {
 }
 
 double Ledger::energy_error(const Balance& now) const {
-  return ratio(now.totals.total() + now.outflow.total() - start_.total(), start_.total());
+  const double before = start_.total() + springs_;
+  return ratio(now.totals.total() + now.outflow.total() + now.springs.value_or(0) - before, before);
 }
 
 std::vector<MeasureDoc> balance_measures(const std::vector<std::string>& materials, bool solids) {
@@ -75,6 +79,7 @@ std::string Ledger::head() const {
       "mass_error,momentum_error,energy_error,outflow_mass,"
       "wall_impulse_x,wall_impulse_y,wall_impulse_z";
   if (solids_) text += ",elastic,plastic,damage,decohesion";
+  if (sprung_) text += ",springs";
   return text + "\n";
 }
 
@@ -99,6 +104,7 @@ std::string Ledger::line(const Balance& b) const {
   if (solids_)
     for (const double value : {t.work.elastic, t.work.plastic, t.work.damage, t.work.decohesion})
       add(",%.17g", value);
+  if (sprung_) add(",%.17g", *b.springs);
   return text + "\n";
 }
 

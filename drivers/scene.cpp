@@ -11,6 +11,7 @@
 #include "drivers/exact.hpp"
 #include "drivers/ledger.hpp"
 #include "drivers/presets.hpp"
+#include "drivers/springs.hpp"
 #include "materials/registry.hpp"
 
 namespace brisance {
@@ -272,6 +273,11 @@ List valid_scene(const List& given) {
     declare_list(bodies, name, "a body") =
         valid_body(*find_list(given_bodies, name), given_materials, dim);
 
+  List& springs =
+      declare_optional_list(valid, "springs", "one list for each spring that holds a material");
+  for (const auto& name : list_names(empty_or(find_list(given, "springs"))))
+    declare_list(springs, name, "a spring") = valid_spring(list_names(given_materials), dim);
+
   add_output(valid);
   const List* exact = find_list(given, "exact");
   List& exact_list =
@@ -290,6 +296,7 @@ List complete_scene(const List& given) {
   if (list_names(scene.sublist("bodies")).empty()) refuse(scene, "bodies", "must name a body");
   check_pairs(scene, dimension(scene));
   check_scheme(scene);
+  check_springs(scene);
   check_bodies(scene);
   return scene;
 }

@@ -7,6 +7,7 @@
 #include "core/geometry.hpp"
 #include "core/step.hpp"
 #include "drivers/bodies.hpp"
+#include "drivers/springs.hpp"
 #include "materials/registry.hpp"
 
 namespace brisance {
@@ -46,6 +47,7 @@ class SimulationIn final : public Simulation {
           cfl_ * state_.grid.lattice.h / get<double>(time, "largest volume change");
       state_.groups.push_back(std::move(group));
     }
+    add_springs(state_, scene);
     seed(state_, scene, exact);
     prepare(state_);
     fastest_ = begin_step(state_, others_);
@@ -77,6 +79,7 @@ class SimulationIn final : public Simulation {
     b.dt = dt();
     b.particles = state_.particles();
     b.outflow = state_.outflow;
+    if (!state_.springs.empty()) b.springs = state_.springs.energy();
     for (int d = 0; d < D; ++d) b.wall_impulse[d] = state_.wall_impulse[d];
     for (const auto& g : state_.groups) {
       const Totals of_group =
