@@ -70,6 +70,8 @@ RunResult run(const List& scene, const RunOptions& options) {
                     simulation->particle_count()};
   };
 
+  const bool watched = exact && exact->watches();
+  if (watched) exact->watch(simulation->balance());
   output();
   Cadence cadence(get<double>(scene.sublist("output"), "interval"), end);
   RunResult result;
@@ -77,6 +79,7 @@ RunResult run(const List& scene, const RunOptions& options) {
   const double cpu = cpu_seconds();
   while (simulation->time() < end && !stop_requested) {
     simulation->advance(end);
+    if (watched) exact->watch(simulation->balance());
     result.outcome.particle_steps += static_cast<double>(simulation->particle_count());
     progress.update(standing());
     if (cadence.due(simulation->time()) && simulation->time() < end) output();
