@@ -66,12 +66,13 @@ TEST(LinearFluidLaw, ReturnsFromClosedCycles) {
   }
 }
 
-// The trapezoid rule errs by (ln 1.1 / 1000)^2 / 12 in relation to p'' of the order of p / y.
+// The trapezoid rule of n steps errs by dv^3 n p'' / 12, p'' = B / v^2: by y / 6n^2 of B v y^2 / 2.
 TEST(LinearFluidLaw, StoresTheWorkOfItsPressure) {
   for (const double turn : {0.9, 1.1}) {
     Liquid::History h;
     compress(liquid(), rho0, turn * rho0, 1000, h);
-    EXPECT_NEAR(h.energy / liquid().eos.elastic_energy(turn * rho0), 1, 1e-8);
+    EXPECT_NEAR(h.energy / liquid().eos.elastic_energy(turn * rho0), 1,
+                1.2 * std::fabs(std::log(turn)) / 6e6);
   }
   // y^2/2 (1 + 2y/3 + ...) of B/rho0, y = ln(rho0/rho); differences of y with y^2/2 cost 1e-16/y.
   const double y = -1e-4;
@@ -125,7 +126,8 @@ TEST(LinearFluid, KeepsMassMomentumAndEnergyInTension) {
       const Ledger ledger(simulation->balance());
       for (int k = 0; k < 100; ++k) simulation->advance(100);
       const ParticleTable table = simulation->snapshot().table;
-      EXPECT_LT(*std::min_element(table.pressure.begin(), table.pressure.end()), 0);
+      const double least = *std::min_element(table.pressure.begin(), table.pressure.end());
+      EXPECT_LT(least, all ? 0 : 1);  // the gas presses with 1
       EXPECT_NEAR(ledger.mass_error(simulation->balance()), 0, 1e-12);
       EXPECT_NEAR(ledger.momentum_error(simulation->balance()), 0, 1e-12);
       EXPECT_NEAR(ledger.energy_error(simulation->balance()), 0, 1e-12);

@@ -46,7 +46,9 @@ TEST(FailureStrain, EndsShearAndTensionAndGivesTheirEnergyToThePlasticWork) {
   const auto last = [&] { return std::sqrt(3 * second_invariant(point.stress)); };
   double strained = 0;
   while (point.history.plastic_strain < 0.02 && strained < 1) {
-    if (strained > 0.01) EXPECT_NEAR(last(), Y, 1e-13 * Y);
+    if (strained > 0.01) {
+      EXPECT_NEAR(last(), Y, 1e-13 * Y);
+    }
     point.strain(tensor(1e-4, 0, 0, 1e-3), 1e-6);
     strained += 1e-3;
   }
@@ -68,7 +70,7 @@ TEST(FailureStrain, EndsShearAndTensionAndGivesTheirEnergyToThePlasticWork) {
 
 TEST(SteelStrength, NeverMakesEnergyOnRandomPaths) {
   std::mt19937 random(1);
-  for (const double failure : {0., 5.}) {
+  for (const double failure : {0., 0.05}) {
     Point<VonMises> point = steel_point(0.4e9, failure);
     wander(point, 1e-4, 100000, random, [&](const Energies& before, const Energies& after) {
       ASSERT_GE(after.plastic, before.plastic);
@@ -77,10 +79,11 @@ TEST(SteelStrength, NeverMakesEnergyOnRandomPaths) {
     // The limits bound a convex set: as long as no step crosses it, the mean of two stresses takes
     // no work out of what is cut off (Drucker). What has failed is crossed by every step that opens
     // it.
-    if (failure == 0)
+    if (failure == 0) {
       EXPECT_NEAR(point.missing() / point.history.plastic_work, 0, 1e5 * 1e-16);
-    else
+    } else {
       EXPECT_GE(point.history.plastic_strain, failure);
+    }
   }
 }
 
