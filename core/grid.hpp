@@ -47,6 +47,7 @@ struct Grid {
 
   Lattice<D> lattice;
   Boundaries<D> boundaries;
+  double time = 0;  ///< at the start of the step [s]
 
   Table<double> before;            ///< velocity at the start of the step [m/s]; column D: mass [kg]
   Table<double> after;             ///< velocity at its end [m/s]

@@ -36,6 +36,8 @@ struct GroupScheme {
   bool midpoint = true;  ///< compatible energy with half-step stress; else MUSL
   double damping =
       0;  ///< FLIP: share of velocity drawn to the grid's in a sound crossing of a cell
+  double stress_relaxation =
+      0;  ///< solids: share of the stress that no node sees, lost in a sound crossing of a cell
   bool printed_work =
       false;  ///< MUSL: the work divided by the new density, as printed in (A.19), (A.22)
   double strain_length =
@@ -92,6 +94,10 @@ class Group {
   virtual void exchange_energy() {}
   virtual void load_heat(double /*rate*/, double /*dt*/) {}
   virtual void conduct() {}
+  /// Solids only, for core/stress_relaxation: scratch <- the direct stresses and, last, the weight;
+  /// and the stresses without the residuals that scratch holds by then.
+  virtual void load_stress() {}
+  virtual void relax_stress(double /*dt*/, double /*h*/) {}
 
   /// Sums over the particles begin .. end.
   virtual Totals totals(int begin, int end, double affine_inertia) const = 0;

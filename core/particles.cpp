@@ -23,6 +23,7 @@ Particles<G>::Particles(int capacity, const ColumnNeeds& needs)
   if (needs.work) work = Table<double>("work", capacity, 1);
   if (needs.extent) extent = Table<double>("extent", capacity, D);
   if (needs.relaxation) scratch = Table<double>("scratch", capacity, 2);
+  if (needs.stress_relaxation) scratch = Table<double>("scratch", capacity, 4);
 }
 
 template <class G>

@@ -19,7 +19,8 @@ struct ColumnNeeds {
   bool affine = false;       ///< APIC: the affine velocity field of each particle
   bool work = false;         ///< midpoint: specific energy received in a step
   bool half_stress = false;  ///< midpoint, solids: the stress half a step on, beside the state
-  bool relaxation = false;   ///< relaxations: residuals and exchanges
+  bool relaxation = false;   ///< relaxations of fluids: residuals and exchanges
+  bool stress_relaxation = false;  ///< of solids: residuals of the direct stresses and a weight
   bool extent =
       false;  ///< edges of each particle, where the scheme asks for them in more than one direction
 };

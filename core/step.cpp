@@ -50,6 +50,7 @@ class Step {
     for (auto& g : s.groups) g->finish(s.grid, dt);
     new_order();
     if (anything_relaxes()) relax(s.groups, s.grid, s.sums, rates(), dt);
+    if (s.scheme.relaxes_stress) relax_stress(s.groups, s.grid, s.means, dt);
   }
 
   /// Appendix A of Hu & Chen (2006): the velocities mapped back to the old positions give the
@@ -247,6 +248,7 @@ double begin_step(State<G>& state, Exchange<G>& others) {
 
 template <class G>
 void finish_step(State<G>& state, Exchange<G>& others, double dt) {
+  state.grid.time = state.time;
   Step<G> step{state, others, dt};
   state.scheme.midpoint ? step.midpoint() : step.musl();
   state.time += dt;

@@ -4,6 +4,7 @@
 #include "core/relaxation.hpp"
 #include "core/sort.hpp"
 #include "core/springs.hpp"
+#include "core/stress_relaxation.hpp"
 
 namespace brisance {
 
@@ -25,6 +26,7 @@ struct StepScheme {
   bool midpoint = true;     ///< compatible energy with half-step stress; else MUSL (Appendix A)
   double split_length = 0;  ///< fluids' particles longer than this many cells are split; 0: never
   RelaxationRates rates;
+  bool relaxes_stress = false;  ///< whether any solid does
 };
 
 template <class G>
@@ -35,6 +37,7 @@ struct State {
   std::vector<std::unique_ptr<Group<G>>> groups;
   StepScheme scheme;
   Accumulator sums;
+  Accumulator means;  ///< of stress; empty unless the scheme relaxes it
   Sorter<G> sorter;
   Springs<G> springs;
 
@@ -48,7 +51,10 @@ struct State {
   Totals outflow;       ///< what left through free ends so far
 
   State(const Grid<G>& grid_, const StepScheme& scheme_)
-      : grid(grid_), scheme(scheme_), sums(grid_.lattice.size, D + (grid_.mixed() ? 2 : 1)) {}
+      : grid(grid_),
+        scheme(scheme_),
+        sums(grid_.lattice.size, D + (grid_.mixed() ? 2 : 1)),
+        means(scheme_.relaxes_stress ? grid_.lattice.size : 0, 4) {}
 
   long particles() const {
     long sum = 0;

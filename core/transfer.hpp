@@ -80,6 +80,13 @@ class Transfer {
   virtual void scatter_mean(const Particles<G>&, const Lattice<D>&, Entry value, Entry weight,
                             const Accumulator&) const = 0;
 
+  /// sums <- N w v for three values v (columns 0 .. 2) and N w (column 3), from columns 0 .. 3 of a
+  /// table; and values <- values - sum over nodes of N field.
+  virtual void scatter_means(const Particles<G>&, const Lattice<D>&, const Table<double>& values,
+                             const Accumulator&) const = 0;
+  virtual void subtract_means(const Particles<G>&, const Lattice<D>&, const Table<double>& field,
+                              const Table<double>& values) const = 0;
+
   /// value <- keep * value + factor * sum over nodes of N field(node, column).
   virtual void gather_scalar(const Particles<G>&, const Lattice<D>&, const Table<double>& field,
                              int column, Entry value, double keep, double factor) const = 0;

@@ -127,6 +127,23 @@ class TransferBy final : public Transfer<G> {
         });
   }
 
+  void scatter_means(const Particles<G>& points, const Lattice<D>& lattice,
+                     const Table<double>& values, const Accumulator& sums) const override {
+    const R rows{points, lattice};
+    const auto scatter = sums.scatter;
+    for_rows(
+        "scatter means", lattice,
+        KOKKOS_LAMBDA(const Row<D>& row) { rows.means(row, values, scatter.access()); });
+  }
+
+  void subtract_means(const Particles<G>& points, const Lattice<D>& lattice,
+                      const Table<double>& field, const Table<double>& values) const override {
+    const R rows{points, lattice};
+    for_rows(
+        "subtract means", lattice,
+        KOKKOS_LAMBDA(const Row<D>& row) { rows.subtract_means(row, field, values); });
+  }
+
   void gather_scalar(const Particles<G>& points, const Lattice<D>& lattice,
                      const Table<double>& field, int column, Entry value, double keep,
                      double factor) const override {

@@ -257,6 +257,39 @@ struct Rows {
     });
   }
 
+  template <class Access>
+  KOKKOS_INLINE_FUNCTION void means(const Row<D>& row, const Table<double>& values,
+                                    const Access& to) const {
+    for_bins(row, [&](int bin, int begin, int end, const int(&base)[D]) {
+      double sum[nodes][4] = {};
+      for (int p = begin; p < end; ++p) {
+        const At at = stencil(base, p);
+        const double weight = values(p, 3);
+        const double v[4] = {weight * values(p, 0), weight * values(p, 1), weight * values(p, 2),
+                             weight};
+        for (int n = 0; n < nodes; ++n)
+          for (int k = 0; k < 4; ++k) sum[n][k] += at.weight(n) * v[k];
+      }
+      add(to, bin, sum);
+    });
+  }
+
+  KOKKOS_INLINE_FUNCTION void subtract_means(const Row<D>& row, const Table<double>& field,
+                                             const Table<double>& values) const {
+    for_bins(row, [&](int bin, int begin, int end, const int(&base)[D]) {
+      double f[nodes][3];
+      for (int n = 0; n < nodes; ++n)
+        for (int k = 0; k < 3; ++k) f[n][k] = field(bin + At::offset(lattice, n), k);
+      for (int p = begin; p < end; ++p) {
+        const At at = stencil(base, p);
+        double sum[3] = {};
+        for (int n = 0; n < nodes; ++n)
+          for (int k = 0; k < 3; ++k) sum[k] += at.weight(n) * f[n][k];
+        for (int k = 0; k < 3; ++k) values(p, k) -= sum[k];
+      }
+    });
+  }
+
   KOKKOS_INLINE_FUNCTION void gather(const Row<D>& row, const Table<double>& field, int column,
                                      const Table<double>& value, int vc, double keep,
                                      double factor) const {

@@ -47,10 +47,10 @@ class ExactSolution {
   /// the names of the sublists allowed in "checks".
   virtual std::vector<MeasureDoc> measure_docs() const = 0;
 
-  /// Whether it is measured along the run: then `watch` is to be called at the start and after each
-  /// step.
-  virtual bool watches() const { return false; }
-  virtual void watch(const Balance&) {}
+  /// Whether it is measured along the run: then `record` is to be called at the start and after
+  /// each step.
+  virtual bool records() const { return false; }
+  virtual void record(const Balance&) {}
 
   /// Their values for a table taken at time t > 0, in the order of measure_docs().
   virtual std::vector<Measure> measures(const ParticleTable& table, double t) const = 0;

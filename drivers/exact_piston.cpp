@@ -99,7 +99,7 @@ std::vector<MeasureDoc> PistonContainer::possible_measures() {
       {"place drift", "-", "change of the piston's mean place, the same, over the amplitude"}};
 }
 
-void PistonContainer::watch(const Balance& now) {
+void PistonContainer::record(const Balance& now) {
   for (const auto& m : now.materials)
     if (m.name == data_.piston) motion_.add(now.time, m.totals.momentum[0] / m.totals.mass);
 }

@@ -31,8 +31,8 @@ class PistonContainer final : public ExactSolution {
   MatterState at(const Place& x, double t) const override;
   std::vector<Measure> features(double t) const override;
   std::vector<MeasureDoc> measure_docs() const override { return possible_measures(); }
-  bool watches() const override { return true; }
-  void watch(const Balance& now) override;
+  bool records() const override { return true; }
+  void record(const Balance& now) override;
   std::vector<Measure> measures(const ParticleTable& table, double t) const override;
 
  private:

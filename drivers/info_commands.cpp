@@ -47,7 +47,7 @@ List schema_of(const std::string& name) {
   if (name.empty()) return everything;
   List given;
   if (contains(law_names(), name))
-    return valid_material(given.set("law", name), valid_shock_viscosity(preset("balanced", 2)));
+    return valid_material(given.set("law", name), valid_shock_viscosity(preset("balanced", 2, false)));
   if (contains(exact_solutions(), name)) return valid_exact(given.set("solution", name));
   if (const List* found = find_anywhere(everything, name)) return *found;
   std::vector<std::string> words = list_names(everything);

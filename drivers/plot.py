@@ -13,6 +13,7 @@ from matplotlib.colors import LogNorm, Normalize
 from mpl_toolkits.axes_grid1 import make_axes_locatable
 
 from plot_cracks import draw_cracks
+from plot_fragments import draw_fragments
 
 
 # ---- Profiles over x or the radius ----
@@ -130,6 +131,7 @@ def draw_particles(run):
         draw_fields(run)
         draw_profiles(run, radial=True)
         draw_cracks(run)
+    draw_fragments(run)
 
 
 # ---- History ----

@@ -5,8 +5,9 @@
 
 namespace brisance {
 
-Preset preset(const std::string& name, int dim) {
+Preset preset(const std::string& name, int dim, bool solids_meet_fluids) {
   Preset p;
+  p.stress_relaxation = solids_meet_fluids ? 0.1 : 0;
   p.split_length = dim == 1 ? 0.5 : 1;
   if (name == "balanced") return p;
   if (name == "paper") {
@@ -15,7 +16,7 @@ Preset preset(const std::string& name, int dim) {
     p.work = "printed";
     p.solid_shape = "linear";
     p.solid_transfer = "FLIP";
-    p.damping = 0;
+    p.damping = p.stress_relaxation = 0;
     p.volume_relaxation = p.pressure_relaxation = p.heat_conduction = p.split_length = 0;
     p.viscosity = "von Neumann-Richtmyer";
     p.quadratic = 2;
@@ -75,6 +76,8 @@ List valid_solid_scheme(const Preset& p) {
   declare(valid, "damping", 0.0, between(0, 1),
           "FLIP: share of a particle's velocity drawn to the grid's in a sound crossing of a cell "
           "[-]");
+  declare(valid, "stress relaxation", p.stress_relaxation, between(0, 1),
+          "share of the stress that no node feels, lost in a sound crossing of a cell [-]");
   return valid;
 }
 

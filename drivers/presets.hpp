@@ -14,6 +14,7 @@ struct Preset {
   std::string work = "exact";
   double damping = 0.03;
   std::string solid_shape = "quadratic", solid_transfer = "MLS";
+  double stress_relaxation = 0;
   // corrections
   double volume_relaxation = 0.15, pressure_relaxation = 1, heat_conduction = 1, split_length = 0.5;
   // artificial viscosity
@@ -23,8 +24,11 @@ struct Preset {
   double cfl = 0.8, largest_volume_change = 0.5;
 };
 
-/// "paper", "fast", "balanced" or "accurate", for so many dimensions.
-Preset preset(const std::string& name, int dim);
+/// "paper", "fast", "balanced" or "accurate", for so many dimensions. Where solids meet fluids, whose
+/// pressure makes noise in points that cross cells, all but the paper's relax stress: 0.1 takes the
+/// worst steel point beside gas at 26 km/s from 3.4 to 1.7 times the plateau. Alone, solids do not
+/// need it, and it costs two discs that ring for long 14 % of their energy in place of 3 %.
+Preset preset(const std::string& name, int dim, bool solids_meet_fluids);
 
 /// Schemas with the defaults of a preset.
 List valid_scheme(const Preset& preset);

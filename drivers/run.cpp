@@ -9,6 +9,7 @@
 #include "drivers/cracks.hpp"
 #include "drivers/progress.hpp"
 #include "drivers/simulation.hpp"
+#include "drivers/watch.hpp"
 
 namespace brisance {
 namespace {
@@ -50,14 +51,17 @@ RunResult run(const List& scene, const RunOptions& options) {
   const List* crack_list = find_list(scene, "cracks");
   std::optional<CrackPattern> cracks;
   if (crack_list) cracks.emplace(*crack_list);
+  const auto watches = make_watches(scene);
   const auto write = [&](const Snapshot& shot) {
     if (cracks) cracks->observe(shot.table, shot.time);
+    for (const auto& watch : watches) watch->observe(shot.table, shot.time);
     if (!results) return;
+    for (const auto& watch : watches) watch->write(results->folder());
     results->add(shot);
     results->add(ledger, simulation->balance());
   };
   const auto output = [&] {
-    if (results || cracks) write(simulation->snapshot());
+    if (results || cracks || !watches.empty()) write(simulation->snapshot());
   };
 
   Progress::Options shown;
@@ -70,8 +74,8 @@ RunResult run(const List& scene, const RunOptions& options) {
                     simulation->particle_count()};
   };
 
-  const bool watched = exact && exact->watches();
-  if (watched) exact->watch(simulation->balance());
+  const bool recorded = exact && exact->records();
+  if (recorded) exact->record(simulation->balance());
   output();
   Cadence cadence(get<double>(scene.sublist("output"), "interval"), end);
   RunResult result;
@@ -79,7 +83,7 @@ RunResult run(const List& scene, const RunOptions& options) {
   const double cpu = cpu_seconds();
   while (simulation->time() < end && !stop_requested) {
     simulation->advance(end);
-    if (watched) exact->watch(simulation->balance());
+    if (recorded) exact->record(simulation->balance());
     result.outcome.particle_steps += static_cast<double>(simulation->particle_count());
     progress.update(standing());
     if (cadence.due(simulation->time()) && simulation->time() < end) output();
@@ -100,6 +104,8 @@ RunResult run(const List& scene, const RunOptions& options) {
       result.outcome.measures.push_back(m);
   if (cracks)
     for (const Measure& m : cracks->measures(shot.table)) result.outcome.measures.push_back(m);
+  for (const auto& watch : watches)
+    for (const Measure& m : watch->measures()) result.outcome.measures.push_back(m);
   if (result.outcome.status == "finished")
     result.outcome.verdicts = judge(find_list(scene, "checks"), result.outcome.measures);
   if (results) {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <optional>
 
 #include "core/transfer.hpp"
 #include "drivers/cracks.hpp"
@@ -12,6 +11,7 @@
 #include "drivers/ledger.hpp"
 #include "drivers/presets.hpp"
 #include "drivers/springs.hpp"
+#include "drivers/watch.hpp"
 #include "materials/registry.hpp"
 
 namespace brisance {
@@ -21,49 +21,44 @@ constexpr std::array<const char*, 3> axes = {"x", "y", "z"};
 
 List empty_or(const List* list) { return list ? *list : List(); }
 
-Preset chosen_preset(const List& given) {
-  List valid;
-  declare(valid, "preset", "balanced", one_of({"paper", "fast", "balanced", "accurate"}),
-          "scheme whose defaults are used [-]");
-  declare(valid, "geometry", "line", one_of({"line", "plane strain"}), "[-]");
-  return preset(peek<std::string>(given, valid, "preset"),
-                peek<std::string>(given, valid, "geometry") == "line" ? 1 : 2);
-}
-
 bool has(const List& list, const std::string& name) {
   const auto present = names(list);
   return std::find(present.begin(), present.end(), name) != present.end();
 }
 
-/// The density of the solid that is given under a name; nothing if there is none such. A density
-/// that is missing is left for the check of the materials to tell.
-std::optional<double> density_of_solid(const List& materials, const std::string& name) {
+/// The law that is given under a name; "" if there is none such.
+std::string law_of(const List& materials, const std::string& name) {
   const List* given = find_list(materials, name);
-  if (!given || !has(*given, "law")) return {};
-  const List valid = valid_material(*given, List());
-  if (is_fluid(peek<std::string>(*given, valid, "law"))) return {};
-  const bool missing = !has(*given, "density") && described(valid, "density").required;
-  return missing ? 1 : peek<double>(*given, valid, "density");
+  if (!given || !has(*given, "law")) return "";
+  return peek<std::string>(*given, valid_material(*given, List()), "law");
 }
 
-/// Whether a law that is given is that of a solid.
-bool any_solid(const List& materials) {
-  for (const auto& name : list_names(materials))
-    if (density_of_solid(materials, name)) return true;
+/// Whether a law that is given is that of a fluid, or of a solid.
+bool any(const List& materials, bool fluid) {
+  for (const auto& name : list_names(materials)) {
+    const std::string law = law_of(materials, name);
+    if (!law.empty() && is_fluid(law) == fluid) return true;
+  }
   return false;
 }
 
-/// The linear fluid of that name, which gives density and pressure to its bodies; nothing if it is
-/// none, or incomplete.
-std::optional<LinearFluid> linear_fluid(const List& materials, const std::string& name) {
-  const List* given = find_list(materials, name);
-  const List valid = LinearFluid::valid_parameters();
-  for (const char* needed : {"law", "density", "bulk modulus"})
-    if (!given || !has(*given, needed)) return {};
-  if (!given->isType<std::string>("law") || given->get<std::string>("law") != LinearFluid::name)
-    return {};
-  return LinearFluid(peek<double>(*given, valid, "bulk modulus"),
-                     peek<double>(*given, valid, "density"));
+Preset chosen_preset(const List& given, const List& materials) {
+  List valid;
+  declare(valid, "preset", "balanced", one_of({"paper", "fast", "balanced", "accurate"}),
+          "scheme whose defaults are used [-]");
+  declare(valid, "geometry", "line", one_of({"line", "plane strain"}), "[-]");
+  return preset(peek<std::string>(given, valid, "preset"),
+                peek<std::string>(given, valid, "geometry") == "line" ? 1 : 2,
+                any(materials, false) && any(materials, true));
+}
+
+/// A number of a material that is given. One that is missing is left for the check of the materials
+/// to tell.
+double number_of(const List& materials, const std::string& name, const char* parameter) {
+  const List& given = *find_list(materials, name);
+  const List valid = valid_material(given, List());
+  const bool missing = !has(given, parameter) && described(valid, parameter).required;
+  return missing ? 1 : peek<double>(given, valid, parameter);
 }
 
 void add_grid(List& valid, int dim) {
@@ -108,7 +103,9 @@ List valid_body(const List& given, const List& materials, int dim) {
   List valid;
   declare_required<std::string>(valid, "material", one_of(list_names(materials)),
                                 "name of its material [-]");
-  const auto solid = density_of_solid(materials, peek<std::string>(given, valid, "material"));
+  const std::string material = peek<std::string>(given, valid, "material"),
+                    law = law_of(materials, material);
+  const bool solid = !law.empty() && !is_fluid(law), explosive = law == Jwl::name;
   declare(valid, "edge", solid ? "points" : "cells", one_of({"points", "cells"}),
           "whether it owns single points, or whole cells by their centres [-]");
   declare(valid, "particles per cell", 3, at_least(1) && at_most(16),
@@ -116,17 +113,25 @@ List valid_body(const List& given, const List& materials, int dim) {
   declare(valid, "initial state", "uniform", one_of({"uniform", "exact"}),
           "uniform, or that of the exact solution at time 0 [-]");
   if (peek<std::string>(given, valid, "initial state") == "uniform") {
-    const auto liquid = linear_fluid(materials, peek<std::string>(given, valid, "material"));
+    const bool liquid = law == LinearFluid::name;
     if (liquid)
-      liquid->declare_state(valid, given);
-    else if (solid)
-      declare(valid, "density", *solid, positive(), "density [kg/m^3]");
+      LinearFluid(number_of(materials, material, "bulk modulus"),
+                  number_of(materials, material, "density"))
+          .declare_state(valid, given);
+    else if (solid || explosive)
+      declare(valid, "density", number_of(materials, material, "density"), positive(),
+              "density [kg/m^3]");
     else
       declare_required<double>(valid, "density", positive(), "density [kg/m^3]");
     if (has(given, "specific energy") && has(given, "pressure"))
       refuse(given, "specific energy", "is given beside 'pressure': give one of the two");
     if (solid)
       declare(valid, "pressure", 0.0, anything(), "pressure, compression positive [Pa]");
+    else if (explosive && !has(given, "pressure"))
+      declare(valid, "specific energy",
+              number_of(materials, material, "energy density") /
+                  number_of(materials, material, "density"),
+              at_least_zero(), "specific internal energy [J/kg]");
     else if (has(given, "specific energy") && !liquid)
       declare_required<double>(valid, "specific energy", at_least_zero(),
                                "specific internal energy [J/kg]");
@@ -157,9 +162,10 @@ void add_range(List& list, const MeasureDoc& measure) {
 }
 
 /// What of a scene is measured beyond its balances.
-std::vector<MeasureDoc> special_measures(const List* exact, bool cracks, int dim) {
-  std::vector<MeasureDoc> docs;
-  if (cracks) docs = CrackPattern::measure_docs();
+std::vector<MeasureDoc> special_measures(const List& given, const List* exact, int dim) {
+  std::vector<MeasureDoc> docs = watch_docs(given);
+  if (find_list(given, "cracks"))
+    for (const auto& measure : CrackPattern::measure_docs()) docs.push_back(measure);
   if (!exact) return docs;
   const auto solution = make_exact(check(*exact, valid_exact(*exact)));
   if (solution->least_dim() > dim) refuse(*exact, "solution", "needs a grid of more directions");
@@ -167,12 +173,12 @@ std::vector<MeasureDoc> special_measures(const List* exact, bool cracks, int dim
   return docs;
 }
 
-void add_checks(List& valid, const List& materials, const List* exact, bool cracks, int dim) {
+void add_checks(List& valid, const List& given, const List& materials, const List* exact, int dim) {
   List& checks =
       declare_optional_list(valid, "checks", "what the run must reach; told by 'verify'");
-  for (const auto& measure : balance_measures(list_names(materials), any_solid(materials)))
+  for (const auto& measure : balance_measures(list_names(materials), any(materials, false)))
     add_range(checks, measure);
-  const auto measures = special_measures(exact, cracks, dim);
+  const auto measures = special_measures(given, exact, dim);
   if (measures.empty()) return;
   for (const auto& measure : measures) add_range(checks, measure);
 
@@ -220,6 +226,9 @@ void check_scheme(const List& scene) {
   for (const char* name : {"volume relaxation", "pressure relaxation", "heat conduction"})
     if (get<double>(scheme, name) > 0)
       refuse(scheme, name, "must be 0 with MUSL: it needs the midpoint's energy");
+  if (const List* solids = find_list(scheme, "solids"))
+    if (get<double>(*solids, "stress relaxation") > 0)
+      refuse(*solids, "stress relaxation", "must be 0 with MUSL");
 }
 
 void check_bodies(const List& scene) {
@@ -250,14 +259,14 @@ List valid_scene(const List& given) {
   declare(valid, "preset", "balanced", one_of({"paper", "fast", "balanced", "accurate"}),
           "scheme whose defaults are used [-]");
   const int dim = peek<std::string>(given, valid, "geometry") == "line" ? 1 : 2;
-  const Preset preset = chosen_preset(given);
+  const List given_materials = empty_or(find_list(given, "materials"));
+  const Preset preset = chosen_preset(given, given_materials);
   add_grid(valid, dim);
   add_boundaries(valid, dim);
   add_time(valid, preset);
   List& scheme = declare_list(valid, "scheme", "the method");
   scheme = valid_scheme(preset);
-  const List given_materials = empty_or(find_list(given, "materials"));
-  if (any_solid(given_materials))
+  if (any(given_materials, false))
     declare_list(scheme, "solids", "the method for solids") = valid_solid_scheme(preset);
 
   List& materials =
@@ -285,7 +294,8 @@ List valid_scene(const List& given) {
   if (exact) exact_list = valid_exact(*exact);
   declare_optional_list(valid, "cracks", "measures what a hit does to concrete") =
       CrackPattern::valid_parameters(dim);
-  add_checks(valid, given_materials, exact, find_list(given, "cracks") != nullptr, dim);
+  declare_watches(valid, list_names(given_materials), dim);
+  add_checks(valid, given, given_materials, exact, dim);
   return valid;
 }
 
@@ -298,6 +308,7 @@ List complete_scene(const List& given) {
   check_scheme(scene);
   check_springs(scene);
   check_bodies(scene);
+  make_watches(scene);  // each refuses what it cannot watch
   return scene;
 }
 

@@ -42,6 +42,8 @@ class SimulationIn final : public Simulation {
       group->transfer = make_transfer<G>(transfer_choice(of_group, group->fluid()));
       group->scheme.midpoint = state_.scheme.midpoint;
       group->scheme.damping = get<double>(of_group, "damping");
+      if (!group->fluid())
+        group->scheme.stress_relaxation = get<double>(of_group, "stress relaxation");
       group->scheme.printed_work = get<std::string>(scheme, "MUSL work") == "printed";
       group->scheme.strain_length =
           cfl_ * state_.grid.lattice.h / get<double>(time, "largest volume change");
@@ -120,7 +122,8 @@ class SimulationIn final : public Simulation {
     for (const auto& [name, sum] : bytes) f.columns.push_back({name, sum / f.particles});
     f.cells = 1;
     for (int d = 0; d < D; ++d) f.cells *= state_.grid.lattice.cells[d];
-    f.grid_bytes = static_cast<double>(state_.grid.bytes() + state_.sums.bytes());
+    f.grid_bytes =
+        static_cast<double>(state_.grid.bytes() + state_.sums.bytes() + state_.means.bytes());
     f.sort_bytes = static_cast<double>(state_.sorter.bytes());
     return f;
   }
@@ -182,6 +185,8 @@ class SimulationIn final : public Simulation {
     s.split_length = get<double>(scheme, "split length");
     s.rates = {get<double>(scheme, "volume relaxation"), get<double>(scheme, "pressure relaxation"),
                get<double>(scheme, "heat conduction")};
+    if (const List* solids = find_list(scheme, "solids"))
+      s.relaxes_stress = get<double>(*solids, "stress relaxation") > 0;
     return s;
   }
 

@@ -58,6 +58,8 @@ struct Concrete : Solid {
 
   KOKKOS_INLINE_FUNCTION History initial(double, double, bool) const { return {}; }
 
+  KOKKOS_INLINE_FUNCTION static bool whole(const History& h) { return !(h.strength > 0); }
+
   /// The normal of the plane turns with the matter by R.
   KOKKOS_INLINE_FUNCTION static void rotate(History& h, const Mat<3>& R) {
     const double x = R(0, 0) * h.normal_x + R(0, 1) * h.normal_y,

@@ -31,11 +31,17 @@ class FluidGroup final : public MaterialGroup<G, M> {
         });
   }
 
-  void finish(const Grid<G>&, double dt) override {
+  void finish(const Grid<G>& grid, double dt) override {
     const Point point = this->point();
+    const Around around(grid);
     this->each(
         "strain", KOKKOS_LAMBDA(const int p) {
           const Sym3 rate = strain_rate<G>(point.particles.matrix(point.particles.gradient, p));
+          if constexpr (M::burns) {
+            History h = point.load(p);
+            point.material.advance_burn(point.strain(p, dt, around), h);
+            point.save(p, h);
+          }
           point.particles.vol(p) *= point.growth(rate, dt);
         });
     receive_energy("receive energy");
@@ -64,8 +70,9 @@ class FluidGroup final : public MaterialGroup<G, M> {
     this->each(
         "correct volume", KOKKOS_LAMBDA(const int p) {
           const double s = point.particles.scratch(p, 0), emptiness = point.particles.scratch(p, 1);
-          if (emptiness > 0 || !(s > 0)) return;
-          point.particles.vol(p) *= clamp(1 - rate * (1 - 1 / s), 0.7, 1.4);
+          if (emptiness > 0 || !(s > 0) || !M::relaxes(point.load(p))) return;
+          const double share = rate * point.material.eos.volume_share;
+          point.particles.vol(p) *= clamp(1 - share * (1 - 1 / s), 0.7, 1.4);
           point.refresh(p);
         });
   }
@@ -85,7 +92,7 @@ class FluidGroup final : public MaterialGroup<G, M> {
           const History h = point.load(p);
           const double pressure = point.pressure(p), smooth = point.smooth_pressure(p);
           double z = 0;
-          if (pressure > 0) {
+          if (pressure > 0 && M::relaxes(h)) {
             const double rho = point.rho(p), c = point.material.sound_speed(rho, h);
             const double modulus = rho * c * c * smooth / pressure;
             const double most_z = 0.3 * least(1, point.particles.m(p) * h.energy /
@@ -102,11 +109,12 @@ class FluidGroup final : public MaterialGroup<G, M> {
     this->each(
         "exchange volume", KOKKOS_LAMBDA(const int p) {
           const History h = point.load(p);
-          const double inner = point.particles.m(p) * h.energy, volume = point.particles.vol(p);
+          const double inner = M::relaxes(h) ? point.particles.m(p) * h.energy : 0,
+                       volume = point.particles.vol(p);
           const double gain = point.particles.scratch(p, 1) * volume;
           point.particles.scratch(p, 0) = inner > 0 ? point.smooth_pressure(p) * gain / inner : 0;
           point.particles.scratch(p, 1) = inner;
-          point.particles.vol(p) = volume + gain;
+          if (inner > 0) point.particles.vol(p) = volume + gain;
         });
   }
 
@@ -114,7 +122,9 @@ class FluidGroup final : public MaterialGroup<G, M> {
     const Point point = this->point();
     this->each(
         "exchange energy", KOKKOS_LAMBDA(const int p) {
-          point.particles.work(p, 0) = -point.particles.scratch(p, 0) * point.load(p).energy;
+          const History h = point.load(p);
+          point.particles.work(p, 0) =
+              M::relaxes(h) ? -point.particles.scratch(p, 0) * h.energy : 0;
         });
     receive_energy("receive exchange");
   }
@@ -124,9 +134,10 @@ class FluidGroup final : public MaterialGroup<G, M> {
     this->each(
         "load heat", KOKKOS_LAMBDA(const int p) {
           const double compression = -trace(point.particles.matrix(point.particles.gradient, p));
-          point.particles.scratch(p, 0) = point.load(p).energy;
-          point.particles.scratch(p, 1) =
-              point.particles.m(p) * clamp(rate * dt * compression, 0, 0.5);
+          const History h = point.load(p);
+          const double share = M::conducts && M::relaxes(h) ? rate * dt * compression : 0;
+          point.particles.scratch(p, 0) = h.energy;
+          point.particles.scratch(p, 1) = point.particles.m(p) * clamp(share, 0, 0.5);
         });
   }
 

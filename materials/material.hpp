@@ -15,6 +15,7 @@
 // and solids, for which the method has already turned `old` with the rigid rotation of the step,
 //   density()                     when free of stress [kg/m^3]
 //   energies(stress, rho, history)  where the work done on the point has gone
+//   whole(history)                whether stresses of neighbours tell of the point's own
 //   directed, rotate(history, R)  whether the history holds directions, and their turn by R
 // The energy of a solid is a ledger: the method adds to it the work and the heat that a point
 // receives, the law does not read it.
@@ -27,9 +28,11 @@ namespace brisance {
 struct Strain {
   Sym3 rate;                  ///< rate of deformation [1/s]
   double dt = 0;              ///< [s]
+  double time = 0;            ///< at its end [s]
   double rho0 = 0, rho1 = 0;  ///< density before and after [kg/m^3]
   double volume_change = 0;   ///< change of specific volume that pressure works on [m^3/kg]
   double h = 0;               ///< cell size, over which shocks and cracks are spread [m]
+  double spacing = 0;         ///< of explosives: of the points before they burn [m]
   double smoothness = 0;      ///< 1 where the flow around is smooth, 0 in a shock [-]
   bool viscous_before =
       false;  ///< whether the stress before the step holds viscous parts (MUSL) or is of rest

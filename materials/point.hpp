@@ -10,10 +10,12 @@ namespace brisance {
 template <class G>
 struct Surroundings {
   Lattice<G::dim> lattice;
+  double time;  ///< at the start of the step [s]
   Table<double> smoothness;
   bool limited;
   explicit Surroundings(const Grid<G>& grid)
       : lattice(grid.lattice),
+        time(grid.time),
         smoothness(grid.smoothness),
         limited(grid.smoothness.extent(0) > 0) {}
 };
@@ -60,10 +62,12 @@ struct MaterialPoint {
     Strain in;
     in.rate = strain_rate<G>(particles.matrix(particles.gradient, p));
     in.dt = dt;
+    in.time = around.time + dt;
     in.rho0 = rho(p);
     in.rho1 = in.rho0 / growth(in.rate, dt);
     in.volume_change = 1 / in.rho1 - 1 / in.rho0;
     in.h = around.lattice.h;
+    if constexpr (M::burns) in.spacing = particles.root(particles.m(p) / material.eos.rho0);
     if (around.limited)
       in.smoothness = around.smoothness(around.lattice.cell_of(particles.x(p)), 0);
     return in;

@@ -13,6 +13,7 @@ namespace brisance {
 struct Solid {
   static constexpr Stress stress = Stress::tensor;
   static constexpr bool fluid = false;
+  static constexpr bool burns = false;
   static constexpr bool directed = false;
 
   Isotropic intact;     ///< moduli of sound matter
@@ -31,6 +32,12 @@ struct Solid {
   }
   KOKKOS_INLINE_FUNCTION double signal_speed(const Sym3&, double, double c, double) const {
     return c;
+  }
+  /// Whether the point still hangs together with its neighbours, so that their stresses tell of its
+  /// own.
+  template <class History>
+  KOKKOS_INLINE_FUNCTION static bool whole(const History&) {
+    return true;
   }
   template <class History>
   KOKKOS_INLINE_FUNCTION static double energy(const History& h) {

@@ -52,6 +52,28 @@ class SolidGroup final : public MaterialGroup<G, M> {
         });
   }
 
+  void load_stress() override {
+    const Point point = this->point();
+    this->each(
+        "load stress", KOKKOS_LAMBDA(const int p) {
+          for (int k = 0; k < 3; ++k) point.particles.scratch(p, k) = point.particles.stress(p, k);
+          point.particles.scratch(p, 3) = M::whole(point.load(p)) ? point.particles.vol(p) : 0;
+        });
+  }
+
+  void relax_stress(double dt, double h) override {
+    const Point point = this->point();
+    const double rate = this->scheme.stress_relaxation * dt / h;
+    this->each(
+        "relax stress", KOKKOS_LAMBDA(const int p) {
+          const History state = point.load(p);
+          if (!M::whole(state)) return;
+          const double share = least(0.5, rate * point.material.sound_speed(point.rho(p), state));
+          for (int k = 0; k < 3; ++k)
+            point.particles.stress(p, k) -= share * point.particles.scratch(p, k);
+        });
+  }
+
  private:
   using typename MaterialGroup<G, M>::Around;
   using typename MaterialGroup<G, M>::Point;

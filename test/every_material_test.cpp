@@ -10,6 +10,7 @@
 #include "materials/fluid.hpp"
 #include "materials/registry.hpp"
 #include "test/as_types.hpp"
+#include "test/explosive.hpp"
 
 namespace brisance {
 namespace {
@@ -31,6 +32,12 @@ Sample sample_of(const std::string& law) {
     s.list.set("bulk modulus", 2e9).set("density", 1000.);
     s.rho = 1100;
     s.energy = LinearFluid(2e9, 1000).elastic_energy(1100);
+    return s;
+  }
+  if (law == "jwl") {
+    s.list = test::tnt();
+    s.rho = 1630;
+    s.energy = 6e9 / 1630;
     return s;
   }
   throw std::logic_error("add a sample of '" + law + "' to this test");
@@ -121,7 +128,7 @@ TYPED_TEST(EveryMaterial, EnergyInClosedFormIsTheFixedPointOfTheIteration) {
     typename Shocked::History h{e0};
     const Response before = shocked.state(in.rho0, h);
     const double p0 = -before.stress[0];
-    const double q = shocked.shock.pressure(in.rho0, shocked.strength(in.rho0, e0),
+    const double q = shocked.shock.pressure(in.rho0, shocked.strength(in.rho0, h),
                                             before.sound_speed, this->eos.shock_slope(), in);
     double e = e0 - (p0 + q) * in.volume_change;
     for (int round = 0; round < 40; ++round)

@@ -136,8 +136,8 @@ TEST(ExactTest, EverySolutionIsMadeFromItsListAndMeasuresWhatItSays) {
     for (std::size_t i = 0; i < docs.size(); ++i) {
       EXPECT_EQ(docs[i].name, values[i].name);
       EXPECT_EQ(possible.count(docs[i].name), 1u);
-      // Along a run that was not watched there is no period.
-      EXPECT_TRUE(std::isfinite(values[i].value) || exact->watches()) << docs[i].name;
+      // Along a run that was not recorded there is no period.
+      EXPECT_TRUE(std::isfinite(values[i].value) || exact->records()) << docs[i].name;
     }
   }
 }

@@ -81,7 +81,7 @@ TEST(Oscillation, IsNotANumberWithoutAPeriod) {
   EXPECT_EQ(swing(0.4, 0, 0).periods(), 0u);
 }
 
-TEST(PistonContainer, WatchesTheMaterialThatIsItsPiston) {
+TEST(PistonContainer, RecordsTheMaterialThatIsItsPiston) {
   PistonContainer exact = container(17.51);
   const double T = exact.period();
   for (int k = 0; k <= 20200; ++k) {
@@ -94,7 +94,7 @@ TEST(PistonContainer, WatchesTheMaterialThatIsItsPiston) {
       m.totals.momentum[0] = name[0] == 'p' ? 2 * v0 * std::cos(exact.frequency() * b.time) : 7;
       b.materials.push_back(m);
     }
-    exact.watch(b);
+    exact.record(b);
   }
   const auto measures = exact.measures(ParticleTable(), 1);
   EXPECT_NEAR(measures.at(0).value, T, 1e-6 * T);

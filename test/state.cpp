@@ -19,7 +19,7 @@ std::unique_ptr<Group<G>> group_of(const RandomGas& of, int k) {
   const bool solid = of.solids && k % 2 == 1;
   List form, given;
   form.set("form", of.shock);
-  const List valid = valid_shock_viscosity(preset("balanced", G::dim));
+  const List valid = valid_shock_viscosity(preset("balanced", G::dim, false));
   if (solid)
     given = elastic_material();
   else
