@@ -73,6 +73,8 @@ class Group {
   virtual ~Group() = default;
   virtual Stress stress() const = 0;
   virtual bool fluid() const = 0;
+  /// Whether core/relaxation corrects it: a fluid whose pressure depends on its energy.
+  virtual bool relaxes() const { return false; }
   virtual std::vector<FieldName> history_fields() const = 0;
 
   /// Makes room for the particles and their columns; what the scheme of the whole step asks for

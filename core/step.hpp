@@ -3,6 +3,7 @@
 #include "core/group.hpp"
 #include "core/relaxation.hpp"
 #include "core/sort.hpp"
+#include "core/springs.hpp"
 #include "core/stress_relaxation.hpp"
 
 namespace brisance {
@@ -38,6 +39,7 @@ struct State {
   Accumulator sums;
   Accumulator means;  ///< of stress; empty unless the scheme relaxes it
   Sorter<G> sorter;
+  Springs<G> springs;
 
   double time = 0;
   long step = 0;

@@ -11,7 +11,10 @@ double ratio(double error, double scale) { return scale > 0 ? error / scale : er
 
 }  // namespace
 
-Ledger::Ledger(const Balance& start) : start_(start.totals) {
+Ledger::Ledger(const Balance& start)
+    : start_(start.totals),
+      springs_(start.springs.value_or(0)),
+      sprung_(start.springs.has_value()) {
   for (const auto& m : start.materials) {
     materials_.push_back(m.name);
     solids_ = solids_ || m.solid;
@@ -33,7 +36,8 @@ double Ledger::momentum_error(const Balance& now) const {
 }
 
 double Ledger::energy_error(const Balance& now) const {
-  return ratio(now.totals.total() + now.outflow.total() - start_.total(), start_.total());
+  const double before = start_.total() + springs_;
+  return ratio(now.totals.total() + now.outflow.total() + now.springs.value_or(0) - before, before);
 }
 
 std::string column_name(std::string name) {
@@ -113,6 +117,7 @@ std::string Ledger::head() const {
          {"mass_", "momentum_x_", "momentum_y_", "momentum_z_", "absolute_momentum_x_",
           "absolute_momentum_y_", "absolute_momentum_z_", "kinetic_", "internal_"})
       text += "," + (quantity + column_name(name));
+  if (sprung_) text += ",springs";
   return text + "\n";
 }
 
@@ -146,6 +151,7 @@ std::string Ledger::line(const Balance& b) const {
           m.totals.absolute_momentum[0], m.totals.absolute_momentum[1],
           m.totals.absolute_momentum[2], m.totals.kinetic, m.totals.internal})
       add(",%.17g", value);
+  if (sprung_) add(",%.17g", *b.springs);
   return text + "\n";
 }
 

@@ -64,6 +64,8 @@ RunResult run(const List& scene, const RunOptions& options) {
   };
 
   if (gauges) gauges->observe(*simulation);
+  const bool recorded = exact && exact->records();
+  if (recorded) exact->record(simulation->balance());
   output();
   const double interval = get<double>(scene.sublist("output"), "interval");
   Cadence cadence(interval > 0 ? interval : end / 10);
@@ -75,6 +77,7 @@ RunResult run(const List& scene, const RunOptions& options) {
   while (simulation->time() < end && !stop_requested) {
     simulation->advance(end);
     if (gauges) gauges->observe(*simulation);
+    if (recorded) exact->record(simulation->balance());
     result.outcome.particle_steps += static_cast<double>(simulation->particle_count());
     progress.update(standing());
     if (simulation->time() >= end) break;

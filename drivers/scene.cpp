@@ -13,6 +13,7 @@
 #include "drivers/lighting.hpp"
 #include "drivers/presets.hpp"
 #include "drivers/shapes.hpp"
+#include "drivers/springs.hpp"
 #include "drivers/watch.hpp"
 #include "materials/registry.hpp"
 
@@ -106,7 +107,12 @@ List valid_body(const List& given, const List& materials, int dim) {
   declare(valid, "initial state", "uniform", one_of({"uniform", "exact"}),
           "uniform, or that of the exact solution at time 0 [-]");
   if (peek<std::string>(given, valid, "initial state") == "uniform") {
-    if (solid || explosive)
+    const bool liquid = law == LinearFluid::name;
+    if (liquid)
+      LinearFluid(number_of(materials, material, "bulk modulus"),
+                  number_of(materials, material, "density"))
+          .declare_state(valid, given);
+    else if (solid || explosive)
       declare(valid, "density", number_of(materials, material, "density"), positive(),
               "density [kg/m^3]");
     else
@@ -120,10 +126,10 @@ List valid_body(const List& given, const List& materials, int dim) {
               number_of(materials, material, "energy density") /
                   number_of(materials, material, "density"),
               at_least_zero(), "specific internal energy [J/kg]");
-    else if (has(given, "specific energy"))
+    else if (has(given, "specific energy") && !liquid)
       declare_required<double>(valid, "specific energy", at_least_zero(),
                                "specific internal energy [J/kg]");
-    else
+    else if (!liquid)
       declare_required<double>(valid, "pressure", at_least_zero(), "pressure [Pa]");
     declare(valid, "velocity", std::vector<double>(dim, 0.0), anything() && entries(dim),
             "velocity [m/s]");
@@ -270,6 +276,10 @@ List valid_scene(const List& given) {
 
   declare_optional_list(valid, "ignition", "what lights the explosives, and when") =
       valid_ignition(empty_or(find_list(given, "ignition")), dim);
+  List& springs =
+      declare_optional_list(valid, "springs", "one list for each spring that holds a material");
+  for (const auto& name : list_names(empty_or(find_list(given, "springs"))))
+    declare_list(springs, name, "a spring") = valid_spring(list_names(given_materials), dim);
 
   add_output(valid);
   const List* exact = find_list(given, "exact");
@@ -293,6 +303,7 @@ List complete_scene(const List& given) {
   if (list_names(scene.sublist("bodies")).empty()) refuse(scene, "bodies", "must name a body");
   check_pairs(scene, dimension(scene));
   check_scheme(scene);
+  check_springs(scene);
   check_bodies(scene);
   if (const List* ignition = find_list(scene, "ignition")) check_ignition(*ignition);
   make_watches(scene);  // each refuses what it cannot watch

@@ -9,6 +9,7 @@
 #include "drivers/bodies.hpp"
 #include "drivers/ignition.hpp"
 #include "drivers/probe.hpp"
+#include "drivers/springs.hpp"
 #include "materials/registry.hpp"
 
 namespace brisance {
@@ -55,6 +56,7 @@ class SimulationIn final : public Simulation {
       }
       state_.groups.push_back(std::move(group));
     }
+    add_springs(state_, scene);
     seed(state_, scene, exact);
     set_lighting_times(state_, scene);
     prepare(state_);
@@ -89,6 +91,7 @@ class SimulationIn final : public Simulation {
     b.particles = state_.particles();
     b.outflow = state_.outflow;
     b.left = state_.left;
+    if (!state_.springs.empty()) b.springs = state_.springs.energy();
     for (int d = 0; d < D; ++d) b.wall_impulse[d] = state_.wall_impulse[d];
     for (const auto& g : state_.groups) {
       const Totals of_group =

@@ -10,6 +10,8 @@ class FluidGroup final : public MaterialGroup<G, M> {
   using MaterialGroup<G, M>::MaterialGroup;
   using History = typename M::History;
 
+  bool relaxes() const override { return M::thermal; }
+
   void start() override {
     const Point point = this->point();
     this->each(
@@ -162,6 +164,16 @@ class FluidGroup final : public MaterialGroup<G, M> {
   /// step that can: light gas beside heavy products lacks more than all of it holds.
   void receive_energy(const char* name) {
     const Point point = this->point();
+    if constexpr (!M::thermal) {
+      this->each(
+          name, KOKKOS_LAMBDA(const int p) {
+            History h = point.load(p);
+            h.energy += point.particles.work(p, 0);
+            point.save(p, h);
+            point.refresh(p);
+          });
+      return;
+    }
     const auto first = point.particles.first;
     const auto owed = this->debt;
     const bool on_credit = owed.extent(0) > 0;
