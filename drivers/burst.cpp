@@ -7,6 +7,12 @@
 #include "drivers/exact_parameters.hpp"
 
 namespace brisance {
+namespace {
+
+// Within so many cells bodies share nodes and feel each other.
+constexpr double felt = 2;
+
+}  // namespace
 
 BurstWatch::BurstWatch(const List& list, const WatchedMaterials& materials)
     : fluid_(materials.fluid),
@@ -55,11 +61,11 @@ std::vector<MeasureDoc> BurstWatch::measure_docs(const List& given) {
                     "radial velocity of the case, mean by mass, greatest of all outputs"});
     docs.push_back({"case velocity time", "s", "output at which that was"});
     docs.push_back({"fragments reach wall", "s",
-                    "first output with a point of the case within a cell of one of the wall"});
+                    "first output with a point of the case within two cells of one of the wall"});
   }
   if (has("products"))
     docs.push_back({"products reach wall", "s",
-                    "first output with a point of the products within a cell of one of the wall"});
+                    "first output with a point of the products within two cells of one of the wall"});
   docs.insert(docs.end(),
               {{"four-fold asymmetry", "-",
                 "difference of mass and of radial momentum from their images under the symmetries "
@@ -89,7 +95,7 @@ void BurstWatch::observe(const ParticleTable& table, double time) {
     }
   }
   const auto arrive = [&](int material, double& arrival) {
-    if (material >= 0 && std::isnan(arrival) && within(table, material, wall_, table.cell_size))
+    if (material >= 0 && std::isnan(arrival) && within(table, material, wall_, felt * table.cell_size))
       arrival = time;
   };
   arrive(case_, case_arrival_);

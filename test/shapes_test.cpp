@@ -219,7 +219,7 @@ TEST(FreeEnd, TellsWhatHasLeft) {
   const auto last = test::columns_of_last_line(read_file(folder.path / "history.csv"));
   EXPECT_EQ(last.at(15), std::to_string(end.left));
   EXPECT_EQ(std::stod(last.at(16)), end.outflow.momentum[0]);
-  EXPECT_EQ(std::stod(last.at(19)), end.outflow.total());
+  EXPECT_EQ(std::stod(last.at(19)) + std::stod(last.at(20)), end.outflow.total());
 }
 
 }  // namespace
