@@ -6,6 +6,7 @@
 #include "drivers/exact_detonation.hpp"
 #include "drivers/exact_layers.hpp"
 #include "drivers/exact_parameters.hpp"
+#include "drivers/exact_piston.hpp"
 #include "drivers/exact_piston_gas.hpp"
 #include "drivers/exact_solid.hpp"
 
@@ -35,7 +36,7 @@ constexpr Kind kind(const char* name) {
           }};
 }
 
-constexpr std::array<Kind, 11> kinds{kind<Riemann>("riemann"),
+constexpr std::array<Kind, 12> kinds{kind<Riemann>("riemann"),
                                      kind<Sedov>("sedov"),
                                      kind<AcousticWave>("acoustic wave"),
                                      kind<Vortex>("vortex"),
@@ -43,6 +44,7 @@ constexpr std::array<Kind, 11> kinds{kind<Riemann>("riemann"),
                                      kind<StandingWave>("standing wave"),
                                      kind<PlateImpact>("plate impact"),
                                      kind<PlasticWave>("plastic wave"),
+                                     kind<PistonContainer>("piston container"),
                                      kind<Detonation>("detonation"),
                                      kind<PistonGas>("piston gas"),
                                      kind<Layers>("layers")};

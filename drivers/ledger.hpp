@@ -1,6 +1,7 @@
 #pragma once
 // What must be conserved: mass, momentum and energy of all particles, with what went out through
 // free ends and what walls have taken.
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,14 +16,16 @@ struct Balance {
   double time = 0, dt = 0;  // [s]
   long particles = 0;
   Totals totals, outflow;
+  long left = 0;  // particles in the outflow
   struct Material {
     std::string name;
     bool solid = false;
     Totals totals;
   };
   std::vector<Material> materials;
-  double wall_impulse[3] = {};  // [N s]
-  long floors = 0;              // states held at a lower bound, so far
+  double wall_impulse[3] = {};    // [N s]
+  std::optional<double> springs;  // energy of the springs, if there are any [J]
+  long floors = 0;                // states held at a lower bound, so far
 };
 
 class Ledger {
@@ -35,15 +38,23 @@ class Ledger {
   double energy_error(const Balance& now) const;
   std::vector<Measure> measures(const Balance& now) const;
 
-  /// A line of history.csv, and its head.
+  /// What has left through free ends, in a line for people.
+  std::string departures(const Balance& now) const;
+
+  /// A line of history.csv, and its head. After the sums over everything stand those over each
+  /// material, as mass_NAME.
   std::string head() const;
   std::string line(const Balance& now) const;
 
  private:
   Totals start_;
+  double springs_ = 0;  // their energy at the start [J]
   std::vector<std::string> materials_;
-  bool solids_ = false;
+  bool solids_ = false, sprung_ = false;
 };
+
+/// A name as the last part of that of a column: what is neither letter nor digit becomes _.
+std::string column_name(std::string name);
 
 /// The measures of a scene with these materials, whatever happens in it; those of solids if it has
 /// any.

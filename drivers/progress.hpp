@@ -58,6 +58,9 @@ class Progress {
   /// step.
   void finish(const Standing& standing);
 
+  /// A line about the run, on the screen and in the log.
+  void note(const std::string& line) { plain(line, !options_.quiet); }
+
   /// Particle-steps per second of wall time since the start.
   double rate() const;
 
