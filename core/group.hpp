@@ -19,11 +19,18 @@ struct FieldName {
 /// Sums over particles. Energies in J, per metre (plane) or square metre (line).
 struct Totals {
   double mass = 0, momentum[3] = {}, kinetic = 0, internal = 0;
+  /// Sums of m |v| along each direction and in all: what parts that fly apart have, though their
+  /// momenta cancel. [N s]
+  double absolute_momentum[3] = {}, motion = 0;
   Energies work;  ///< parts of the internal energy of solids; the rest is heat
   double total() const { return kinetic + internal; }
   KOKKOS_INLINE_FUNCTION Totals& operator+=(const Totals& t) {
     mass += t.mass;
-    for (int d = 0; d < 3; ++d) momentum[d] += t.momentum[d];
+    for (int d = 0; d < 3; ++d) {
+      momentum[d] += t.momentum[d];
+      absolute_momentum[d] += t.absolute_momentum[d];
+    }
+    motion += t.motion;
     kinetic += t.kinetic;
     internal += t.internal;
     work.add(t.work, 1);
@@ -58,12 +65,16 @@ class Group {
   GroupScheme scheme;
   Particles<G> particles;
   std::unique_ptr<Transfer<G>> transfer;
-  Signals fastest;  ///< in the step under way
-  long floors = 0;  ///< how often a state had to be held at a lower bound, so far
+  Signals fastest;     ///< in the step under way
+  long floors = 0;     ///< how often a state had to be held at a lower bound, so far
+  Array<double> debt;  ///< of each bin: energy that its fluids were left with and owe [J]; may be
+                       ///< empty, and is the same for all groups
 
   virtual ~Group() = default;
   virtual Stress stress() const = 0;
   virtual bool fluid() const = 0;
+  /// Whether core/relaxation corrects it: a fluid whose pressure depends on its energy.
+  virtual bool relaxes() const { return false; }
   virtual std::vector<FieldName> history_fields() const = 0;
 
   /// Makes room for the particles and their columns; what the scheme of the whole step asks for

@@ -16,7 +16,7 @@ class Relaxation {
   template <class F>
   void for_fluids(F&& f) {
     for (auto& group : groups)
-      if (group->fluid()) f(*group);
+      if (group->relaxes()) f(*group);
   }
 
   enum class Weight { volume, scratch };

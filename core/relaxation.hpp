@@ -1,5 +1,6 @@
 #pragma once
-// Corrections of fluids after a step, each exact in mass, momentum and energy:
+// Corrections of fluids whose pressure depends on energy, after a step, each exact in mass,
+// momentum and energy:
 // - volume: volumes that no longer add up to the space drift back to it;
 // - pressure: differences in pressure that no node can see (null-space noise) even out by exchange
 // of volume;

@@ -49,7 +49,7 @@ class Step {
                                    dt);
     for (auto& g : s.groups) g->finish(s.grid, dt);
     new_order();
-    if (any_fluid()) relax(s.groups, s.grid, s.sums, rates(), dt);
+    if (anything_relaxes()) relax(s.groups, s.grid, s.sums, rates(), dt);
     if (s.scheme.relaxes_stress) relax_stress(s.groups, s.grid, s.means, dt);
   }
 
@@ -69,9 +69,9 @@ class Step {
   }
 
  private:
-  bool any_fluid() const {
+  bool anything_relaxes() const {
     for (const auto& g : s.groups)
-      if (g->fluid()) return true;
+      if (g->relaxes()) return true;
     return false;
   }
 
@@ -158,9 +158,11 @@ class Step {
 
   /// grid.after <- grid.before + dt f / m.
   void force_to_grid() {
+    if (!s.springs.empty()) s.springs.weigh(s.groups, s.grid, s.sums);
     s.sums.clear();
     for (auto& g : s.groups) g->transfer->scatter_force(g->particles, s.grid, g->stress(), s.sums);
     push_walls(collect(D), dt);
+    if (!s.springs.empty()) push_walls(s.springs.pull(s.grid, s.sums.total, dt), 1);
     for (std::size_t c = 0; c < s.grid.own.size(); ++c) push_walls(images(s.grid.before, c), 1);
     const auto before = s.grid.before, after = s.grid.after, force = s.sums.total;
     const double step = dt;

@@ -3,6 +3,7 @@
 #include "core/group.hpp"
 #include "core/relaxation.hpp"
 #include "core/sort.hpp"
+#include "core/springs.hpp"
 #include "core/stress_relaxation.hpp"
 
 namespace brisance {
@@ -38,11 +39,13 @@ struct State {
   Accumulator sums;
   Accumulator means;  ///< of stress; empty unless the scheme relaxes it
   Sorter<G> sorter;
+  Springs<G> springs;
 
   double time = 0;
   long step = 0;
   std::int64_t next_id = 0;
 
+  Array<double> debt;  ///< see Group
   std::vector<Vec<D>>
       stopped;  ///< of each class: nodal momentum that walls took out at the start of the step
   Vec<D> wall_impulse;  ///< momentum given to walls so far [N s], per metre or square metre

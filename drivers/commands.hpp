@@ -27,4 +27,13 @@ int describe_command(const std::string& name);
 int export_command(const std::string& folder, const std::string& csv, double time);
 int plot_command(const std::string& folder);
 
+/// The problems of Hu & Chen (2006) on one page.
+struct ReproduceRequest {
+  std::string folder;             ///< empty: ./reproduce
+  std::vector<std::string> only;  ///< names of problems; empty: all
+  bool quick = false;             ///< take up finished runs
+  bool list = false;              ///< only tell what there is
+};
+int reproduce_command(const ReproduceRequest& request);
+
 }  // namespace brisance

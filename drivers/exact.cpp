@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "drivers/exact_parameters.hpp"
+#include "drivers/exact_piston.hpp"
 #include "drivers/exact_solid.hpp"
 
 namespace brisance {
@@ -25,14 +26,15 @@ constexpr Kind kind(const char* name) {
           }};
 }
 
-constexpr std::array<Kind, 8> kinds{kind<Riemann>("riemann"),
+constexpr std::array<Kind, 9> kinds{kind<Riemann>("riemann"),
                                     kind<Sedov>("sedov"),
                                     kind<AcousticWave>("acoustic wave"),
                                     kind<Vortex>("vortex"),
                                     kind<Uniform>("uniform"),
                                     kind<StandingWave>("standing wave"),
                                     kind<PlateImpact>("plate impact"),
-                                    kind<PlasticWave>("plastic wave")};
+                                    kind<PlasticWave>("plastic wave"),
+                                    kind<PistonContainer>("piston container")};
 
 List choice() {
   List valid;

@@ -23,6 +23,8 @@ struct MatterState {
   std::array<double, 3> v{};
 };
 
+struct Balance;
+
 class ExactSolution {
  public:
   virtual ~ExactSolution() = default;
@@ -44,6 +46,11 @@ class ExactSolution {
   /// The measures that exist for these data (no "shock position" without a shock); their names are
   /// the names of the sublists allowed in "checks".
   virtual std::vector<MeasureDoc> measure_docs() const = 0;
+
+  /// Whether it is measured along the run: then `record` is to be called at the start and after
+  /// each step.
+  virtual bool records() const { return false; }
+  virtual void record(const Balance&) {}
 
   /// Their values for a table taken at time t > 0, in the order of measure_docs().
   virtual std::vector<Measure> measures(const ParticleTable& table, double t) const = 0;

@@ -2,13 +2,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <limits>
 #include <stdexcept>
 
 #include "drivers/commands.hpp"
 #include "drivers/files.hpp"
-#include "drivers/locations.hpp"
+#include "drivers/scripts.hpp"
 #include "drivers/vtk.hpp"
 #include "drivers/vtk_read.hpp"
 
@@ -91,15 +90,7 @@ int export_command(const std::string& folder, const std::string& csv, double tim
 
 int plot_command(const std::string& folder) {
   require_run(folder);
-  const auto quoted = [](const std::string& text) {
-    std::string out = "'";
-    for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return out + "'";
-  };
-  // The distribution's interpreter first: its packages are the ones that were installed.
-  const std::string python = fs::exists("/usr/bin/python3") ? "/usr/bin/python3" : "python3";
-  const std::string command = python + " " + quoted(plot_script().string()) + " " + quoted(folder);
-  return std::system(command.c_str()) == 0 ? 0 : 1;
+  return run_script("plot.py", {folder}) == 0 ? 0 : 1;
 }
 
 }  // namespace brisance

@@ -23,6 +23,8 @@ List example_scene() {
   scene.set("geometry", "plane strain");
   scene.sublist("materials").sublist("NAME").set("law", law_names().front());
   scene.sublist("bodies").sublist("NAME").set("material", "NAME");
+  scene.sublist("gauges").sublist("NAME");
+  scene.sublist("springs").sublist("NAME").set("material", "NAME");
   scene.sublist("exact").set("solution", "uniform").set("gamma", 1.4);
   return scene;
 }

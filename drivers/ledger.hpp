@@ -1,6 +1,7 @@
 #pragma once
 // What must be conserved: mass, momentum and energy of all particles, with what went out through
 // free ends and what walls have taken.
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,8 +23,9 @@ struct Balance {
     Totals totals;
   };
   std::vector<Material> materials;
-  double wall_impulse[3] = {};  // [N s]
-  long floors = 0;              // states held at a lower bound, so far
+  double wall_impulse[3] = {};    // [N s]
+  std::optional<double> springs;  // energy of the springs, if there are any [J]
+  long floors = 0;                // states held at a lower bound, so far
 };
 
 class Ledger {
@@ -39,15 +41,20 @@ class Ledger {
   /// What has left through free ends, in a line for people.
   std::string departures(const Balance& now) const;
 
-  /// A line of history.csv, and its head.
+  /// A line of history.csv, and its head. After the sums over everything stand those over each
+  /// material, as mass_NAME.
   std::string head() const;
   std::string line(const Balance& now) const;
 
  private:
   Totals start_;
+  double springs_ = 0;  // their energy at the start [J]
   std::vector<std::string> materials_;
-  bool solids_ = false;
+  bool solids_ = false, sprung_ = false;
 };
+
+/// A name as the last part of that of a column: what is neither letter nor digit becomes _.
+std::string column_name(std::string name);
 
 /// The measures of a scene with these materials, whatever happens in it; those of solids if it has
 /// any.

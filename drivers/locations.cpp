@@ -27,8 +27,10 @@ fs::path data_folder() {
   return first_with("inputs", {installed(), BRISANCE_SOURCE_DIR}).parent_path();
 }
 
-fs::path plot_script() {
-  return first_with("plot.py", {installed(), fs::path(BRISANCE_SOURCE_DIR) / "drivers"});
+fs::path script_file(const std::string& name) {
+  return first_with(name, {installed(), fs::path(BRISANCE_SOURCE_DIR) / "drivers"});
 }
+
+fs::path program_file() { return fs::read_symlink("/proc/self/exe"); }
 
 }  // namespace brisance

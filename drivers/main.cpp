@@ -69,6 +69,14 @@ int main(int argc, char** argv) {
   CLI::App* plot = app.add_subcommand("plot", "make pictures of a run");
   plot->add_option("DIR", folder, "folder of a run")->required();
 
+  ReproduceRequest paper;
+  CLI::App* reproduce_ = app.add_subcommand(
+      "reproduce", "run every problem of Hu & Chen (2006) and write a page of it; takes minutes");
+  reproduce_->add_option("--out", paper.folder, "folder for page and runs (default: reproduce)");
+  reproduce_->add_option("--only", paper.only, "names of problems (default: all, see --list)");
+  reproduce_->add_flag("--quick", paper.quick, "take up runs in the folder that are finished");
+  reproduce_->add_flag("--list", paper.list, "tell problems, tables and figures, and run nothing");
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -85,6 +93,7 @@ int main(int argc, char** argv) {
     if (*describe_) status = describe_command(name);
     if (*export_) status = export_command(folder, csv, time);
     if (*plot) status = plot_command(folder);
+    if (*reproduce_) status = reproduce_command(paper);
   } catch (const InputError& error) {
     std::fprintf(stderr, "brisance: %s\n", error.what());
     status = 2;

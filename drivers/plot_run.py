@@ -132,7 +132,7 @@ class Run:
 
     def save(self, fig, name):
         facts = [self.scene] * (self.scene != self.title)
-        if name != "history":
+        if name not in ("history", "gauges"):
             facts.append("t = {:.5g} {}".format(*prefixed(self.time, "s")[::2]))
             facts.append(f"{len(self.x):,} particles")
         if self.cell:

@@ -102,7 +102,7 @@ void Results::add(const Snapshot& shot) {
 }
 
 void Results::add(const Ledger& ledger, const Balance& balance) {
-  history_ += ledger.line(balance);
+  note(ledger, balance);
   write_file(folder_ / "history.csv", history_);
 }
 

@@ -29,8 +29,9 @@ class Results {
 
   /// Particles and grid at one time.
   void add(const Snapshot& shot);
-  /// A line of history.csv.
+  /// A line of history.csv, on the disk at once; or kept until the next that is.
   void add(const Ledger& ledger, const Balance& balance);
+  void note(const Ledger& ledger, const Balance& balance) { history_ += ledger.line(balance); }
   /// The exact solution along the scene at its end, for plots.
   void write_exact(const ExactSolution& exact, const Snapshot& shot);
   void write_summary(const Outcome& outcome, const Ledger& ledger, const Balance& balance);

@@ -6,9 +6,13 @@
 #include <ctime>
 #include <optional>
 
+#include "drivers/cadence.hpp"
 #include "drivers/cracks.hpp"
+#include "drivers/files.hpp"
+#include "drivers/gauges.hpp"
 #include "drivers/progress.hpp"
 #include "drivers/simulation.hpp"
+#include "drivers/watch.hpp"
 
 namespace brisance {
 namespace {
@@ -16,23 +20,6 @@ namespace {
 volatile std::sig_atomic_t stop_requested = 0;
 
 double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
-/// The times of output: multiples of an interval; a step passes one when it first reaches it.
-class Cadence {
- public:
-  Cadence(double interval, double end) : interval_(interval > 0 ? interval : end / 10) {
-    next_ = interval_;
-  }
-  bool due(double time) {
-    if (time < next_ * (1 - 1e-12)) return false;
-    while (next_ <= time * (1 + 1e-12)) next_ = static_cast<double>(++count_) * interval_;
-    return true;
-  }
-
- private:
-  double interval_, next_;
-  long count_ = 1;
-};
 
 }  // namespace
 
@@ -50,14 +37,20 @@ RunResult run(const List& scene, const RunOptions& options) {
   const List* crack_list = find_list(scene, "cracks");
   std::optional<CrackPattern> cracks;
   if (crack_list) cracks.emplace(*crack_list);
+  const auto watches = make_watches(scene);
+  std::optional<Gauges> gauges;
+  if (find_list(scene, "gauges")) gauges.emplace(scene);
   const auto write = [&](const Snapshot& shot) {
     if (cracks) cracks->observe(shot.table, shot.time);
+    for (const auto& watch : watches) watch->observe(shot.table, shot.time);
     if (!results) return;
+    for (const auto& watch : watches) watch->write(results->folder());
     results->add(shot);
     results->add(ledger, simulation->balance());
+    if (gauges) write_file(options.folder / "gauges.csv", gauges->table());
   };
   const auto output = [&] {
-    if (results || cracks) write(simulation->snapshot());
+    if (results || cracks || !watches.empty()) write(simulation->snapshot());
   };
 
   Progress::Options shown;
@@ -70,16 +63,29 @@ RunResult run(const List& scene, const RunOptions& options) {
                     simulation->particle_count()};
   };
 
+  if (gauges) gauges->observe(*simulation);
+  const bool recorded = exact && exact->records();
+  if (recorded) exact->record(simulation->balance());
   output();
-  Cadence cadence(get<double>(scene.sublist("output"), "interval"), end);
+  const double interval = get<double>(scene.sublist("output"), "interval");
+  Cadence cadence(interval > 0 ? interval : end / 10);
+  const double between = get<double>(scene.sublist("output"), "history interval");
+  Cadence history(results && between > 0 ? between : 2 * end);
   RunResult result;
   const auto started = std::chrono::steady_clock::now();
   const double cpu = cpu_seconds();
   while (simulation->time() < end && !stop_requested) {
     simulation->advance(end);
+    if (gauges) gauges->observe(*simulation);
+    if (recorded) exact->record(simulation->balance());
     result.outcome.particle_steps += static_cast<double>(simulation->particle_count());
     progress.update(standing());
-    if (cadence.due(simulation->time()) && simulation->time() < end) output();
+    if (simulation->time() >= end) break;
+    const bool noted = history.due(simulation->time());
+    if (cadence.due(simulation->time()))
+      output();
+    else if (noted)
+      results->note(ledger, simulation->balance());
   }
   result.outcome.wall_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
@@ -98,6 +104,10 @@ RunResult run(const List& scene, const RunOptions& options) {
       result.outcome.measures.push_back(m);
   if (cracks)
     for (const Measure& m : cracks->measures(shot.table)) result.outcome.measures.push_back(m);
+  for (const auto& watch : watches)
+    for (const Measure& m : watch->measures()) result.outcome.measures.push_back(m);
+  if (gauges)
+    for (const Measure& m : gauges->measures()) result.outcome.measures.push_back(m);
   if (result.outcome.status == "finished")
     result.outcome.verdicts = judge(find_list(scene, "checks"), result.outcome.measures);
   if (results) {

@@ -8,10 +8,13 @@
 #include "core/transfer.hpp"
 #include "drivers/cracks.hpp"
 #include "drivers/exact.hpp"
+#include "drivers/gauges.hpp"
 #include "drivers/ledger.hpp"
 #include "drivers/lighting.hpp"
 #include "drivers/presets.hpp"
 #include "drivers/shapes.hpp"
+#include "drivers/springs.hpp"
+#include "drivers/watch.hpp"
 #include "materials/registry.hpp"
 
 namespace brisance {
@@ -104,7 +107,12 @@ List valid_body(const List& given, const List& materials, int dim) {
   declare(valid, "initial state", "uniform", one_of({"uniform", "exact"}),
           "uniform, or that of the exact solution at time 0 [-]");
   if (peek<std::string>(given, valid, "initial state") == "uniform") {
-    if (solid || explosive)
+    const bool liquid = law == LinearFluid::name;
+    if (liquid)
+      LinearFluid(number_of(materials, material, "bulk modulus"),
+                  number_of(materials, material, "density"))
+          .declare_state(valid, given);
+    else if (solid || explosive)
       declare(valid, "density", number_of(materials, material, "density"), positive(),
               "density [kg/m^3]");
     else
@@ -118,10 +126,10 @@ List valid_body(const List& given, const List& materials, int dim) {
               number_of(materials, material, "energy density") /
                   number_of(materials, material, "density"),
               at_least_zero(), "specific internal energy [J/kg]");
-    else if (has(given, "specific energy"))
+    else if (has(given, "specific energy") && !liquid)
       declare_required<double>(valid, "specific energy", at_least_zero(),
                                "specific internal energy [J/kg]");
-    else
+    else if (!liquid)
       declare_required<double>(valid, "pressure", at_least_zero(), "pressure [Pa]");
     declare(valid, "velocity", std::vector<double>(dim, 0.0), anything() && entries(dim),
             "velocity [m/s]");
@@ -134,6 +142,8 @@ void add_output(List& valid) {
   List& output = declare_list(valid, "output", "what is written while the run goes on");
   declare(output, "interval", 0.0, at_least_zero(),
           "simulated time between outputs; 0: a tenth of the run [s]");
+  declare(output, "history interval", 0.0, at_least_zero(),
+          "simulated time between further lines of history.csv; 0: only at outputs [s]");
   declare(output, "particles", true, anything(), "particles, as .vtp [-]");
   declare(output, "grid", true, anything(), "nodes and cells, as .vti [-]");
 }
@@ -148,9 +158,12 @@ void add_range(List& list, const MeasureDoc& measure) {
 }
 
 /// What of a scene is measured beyond its balances.
-std::vector<MeasureDoc> special_measures(const List* exact, bool cracks, int dim) {
-  std::vector<MeasureDoc> docs;
-  if (cracks) docs = CrackPattern::measure_docs();
+std::vector<MeasureDoc> special_measures(const List& given, const List* exact, int dim) {
+  std::vector<MeasureDoc> docs = watch_docs(given);
+  if (find_list(given, "cracks"))
+    for (const auto& measure : CrackPattern::measure_docs()) docs.push_back(measure);
+  if (const List* gauges = find_list(given, "gauges"))
+    for (const auto& measure : Gauges::measure_docs(list_names(*gauges))) docs.push_back(measure);
   if (!exact) return docs;
   const auto solution = make_exact(check(*exact, valid_exact(*exact)));
   if (solution->least_dim() > dim) refuse(*exact, "solution", "needs a grid of more directions");
@@ -158,12 +171,12 @@ std::vector<MeasureDoc> special_measures(const List* exact, bool cracks, int dim
   return docs;
 }
 
-void add_checks(List& valid, const List& materials, const List* exact, bool cracks, int dim) {
+void add_checks(List& valid, const List& given, const List& materials, const List* exact, int dim) {
   List& checks =
       declare_optional_list(valid, "checks", "what the run must reach; told by 'verify'");
   for (const auto& measure : balance_measures(list_names(materials), any(materials, false)))
     add_range(checks, measure);
-  const auto measures = special_measures(exact, cracks, dim);
+  const auto measures = special_measures(given, exact, dim);
   if (measures.empty()) return;
   for (const auto& measure : measures) add_range(checks, measure);
 
@@ -263,6 +276,10 @@ List valid_scene(const List& given) {
 
   declare_optional_list(valid, "ignition", "what lights the explosives, and when") =
       valid_ignition(empty_or(find_list(given, "ignition")), dim);
+  List& springs =
+      declare_optional_list(valid, "springs", "one list for each spring that holds a material");
+  for (const auto& name : list_names(empty_or(find_list(given, "springs"))))
+    declare_list(springs, name, "a spring") = valid_spring(list_names(given_materials), dim);
 
   add_output(valid);
   const List* exact = find_list(given, "exact");
@@ -271,7 +288,11 @@ List valid_scene(const List& given) {
   if (exact) exact_list = valid_exact(*exact);
   declare_optional_list(valid, "cracks", "measures what a hit does to concrete") =
       CrackPattern::valid_parameters(dim);
-  add_checks(valid, given_materials, exact, find_list(given, "cracks") != nullptr, dim);
+  declare_watches(valid, list_names(given_materials), dim);
+  const List* gauges = find_list(given, "gauges");
+  declare_optional_list(valid, "gauges", "what matter is like at some places against time") =
+      Gauges::valid_parameters(gauges, list_names(given_materials), dim);
+  add_checks(valid, given, given_materials, exact, dim);
   return valid;
 }
 
@@ -282,8 +303,11 @@ List complete_scene(const List& given) {
   if (list_names(scene.sublist("bodies")).empty()) refuse(scene, "bodies", "must name a body");
   check_pairs(scene, dimension(scene));
   check_scheme(scene);
+  check_springs(scene);
   check_bodies(scene);
   if (const List* ignition = find_list(scene, "ignition")) check_ignition(*ignition);
+  make_watches(scene);  // each refuses what it cannot watch
+  if (find_list(scene, "gauges")) Gauges::check(scene);
   return scene;
 }
 

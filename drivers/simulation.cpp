@@ -8,6 +8,8 @@
 #include "core/step.hpp"
 #include "drivers/bodies.hpp"
 #include "drivers/ignition.hpp"
+#include "drivers/probe.hpp"
+#include "drivers/springs.hpp"
 #include "materials/registry.hpp"
 
 namespace brisance {
@@ -47,8 +49,14 @@ class SimulationIn final : public Simulation {
       group->scheme.printed_work = get<std::string>(scheme, "MUSL work") == "printed";
       group->scheme.strain_length =
           cfl_ * state_.grid.lattice.h / get<double>(time, "largest volume change");
+      if (group->fluid() && state_.scheme.midpoint) {
+        if (state_.debt.extent(0) == 0)
+          state_.debt = Array<double>("energy owed", state_.grid.lattice.size);
+        group->debt = state_.debt;
+      }
       state_.groups.push_back(std::move(group));
     }
+    add_springs(state_, scene);
     seed(state_, scene, exact);
     set_lighting_times(state_, scene);
     prepare(state_);
@@ -70,7 +78,8 @@ class SimulationIn final : public Simulation {
                                " s: the state is no longer finite; try a smaller 'time/CFL'");
     const double left = end - state_.time;
     const bool last = dt_ >= left * (1 - 1e-12);
-    finish_step(state_, others_, last ? left : dt_);
+    taken_ = last ? left : dt_;
+    finish_step(state_, others_, taken_);
     if (last) state_.time = end;
   }
 
@@ -82,6 +91,7 @@ class SimulationIn final : public Simulation {
     b.particles = state_.particles();
     b.outflow = state_.outflow;
     b.left = state_.left;
+    if (!state_.springs.empty()) b.springs = state_.springs.energy();
     for (int d = 0; d < D; ++d) b.wall_impulse[d] = state_.wall_impulse[d];
     for (const auto& g : state_.groups) {
       const Totals of_group =
@@ -90,6 +100,7 @@ class SimulationIn final : public Simulation {
       b.materials.push_back({g->label, !g->fluid(), of_group});
       b.floors += g->floors;
     }
+    b.totals.internal -= owed();
     return b;
   }
 
@@ -128,11 +139,25 @@ class SimulationIn final : public Simulation {
     return f;
   }
 
+  std::vector<Seen> probe(const std::vector<Window>& windows) const override {
+    return brisance::probe(state_, windows);
+  }
+  void carry(std::vector<Window>& windows) override { riders_.carry(state_, taken_, windows); }
+
  private:
   State<G> state_;
   Exchange<G> others_;
+  Riders<G> riders_;
+  double taken_ = 0;    ///< the last step, which may be shorter than dt_ [s]
   double fastest_ = 0;  ///< signal over the grid [m/s]
   double cfl_ = 0, growth_ = 0, dt_ = 0;
+
+  double owed() const {
+    double sum = 0;
+    const auto debt = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), state_.debt);
+    for (std::size_t n = 0; n < debt.extent(0); ++n) sum += debt(n);
+    return sum;
+  }
 
   double stable_step() const { return cfl_ * state_.grid.lattice.h / std::max(fastest_, 1e-300); }
 

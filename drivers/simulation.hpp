@@ -7,6 +7,7 @@
 #include "core/parameters.hpp"
 #include "drivers/exact.hpp"
 #include "drivers/ledger.hpp"
+#include "drivers/window.hpp"
 
 namespace brisance {
 
@@ -44,6 +45,11 @@ class Simulation {
   virtual Balance balance() const = 0;
   virtual Snapshot snapshot() const = 0;
   virtual Footprint footprint() const = 0;
+
+  /// What matter around some places is like.
+  virtual std::vector<Seen> probe(const std::vector<Window>& windows) const = 0;
+  /// Moves those windows that ride along with matter, by the last step.
+  virtual void carry(std::vector<Window>& windows) = 0;
 };
 
 /// Sets up a checked scene. `exact` gives initial states to the bodies that ask for it; may be

@@ -10,7 +10,7 @@ struct Fluid {
   static constexpr const char* name = Eos::name;
   static constexpr Stress stress = Shear::stress;
   static constexpr bool fluid = true;
-  static constexpr bool burns = Eos::burns, conducts = Eos::conducts;
+  static constexpr bool burns = Eos::burns, conducts = Eos::conducts, thermal = Eos::thermal;
 
   using State = FluidState<burns>;
   using History = typename State::History;
@@ -39,12 +39,23 @@ struct Fluid {
   }
 
   KOKKOS_INLINE_FUNCTION double pressure(double rho, const History& h) const {
-    return most(eos.offset(rho) + eos.slope(rho) * h.energy, 0) * burned(h);
+    const double p = eos.offset(rho) + eos.slope(rho) * h.energy;
+    return (thermal ? most(p, 0) : p) * burned(h);
+  }
+  /// What bounds the viscosity of an expansion: the pressure, or the stiffness of what bears
+  /// tension. [Pa]
+  KOKKOS_INLINE_FUNCTION double strength(double rho, const History& h) const {
+    return thermal ? pressure(rho, h) : rho * eos.sound_speed2(rho, h.energy);
   }
   /// The state variables of gas at a given density and pressure [Pa], or specific energy [J/kg].
   KOKKOS_INLINE_FUNCTION History initial(double rho, double given, bool from_energy) const {
     History h;
-    h.energy = from_energy ? given : (given - eos.offset(rho)) / eos.slope(rho);
+    if (from_energy)
+      h.energy = given;
+    else if constexpr (thermal)
+      h.energy = (given - eos.offset(rho)) / eos.slope(rho);
+    else
+      h.energy = eos.elastic_energy(rho);
     if constexpr (burns) h.burned = eos.burn.at_once ? 1 : 0;
     return h;
   }
@@ -81,7 +92,7 @@ struct Fluid {
   KOKKOS_INLINE_FUNCTION Response update(const Strain& in, const Sym3& old, History& h) const {
     const double K = eos.shock_slope();
     const double q =
-        shock.pressure(in.rho0, pressure(in.rho0, h), speed_of_sound(in.rho0, h), K, in);
+        shock.pressure(in.rho0, strength(in.rho0, h), speed_of_sound(in.rho0, h), K, in);
     advance_burn(in, h);
     const Sym3 viscous = shear.stress_of(in.rate);
     const double viscous_pressure = q - trace(viscous) / 3, p0 = -trace(old) / 3,
@@ -93,7 +104,7 @@ struct Fluid {
                     dv +
                 shear_work * in.dt / in.rho0) /
                (1 + 0.5 * burned(h) * eos.slope(in.rho1) * dv);
-    h.energy = most(h.energy, 0);
+    if constexpr (thermal) h.energy = most(h.energy, 0);
     Response r = state(in.rho1, h);
     for (int k = 0; k < 3; ++k) r.stress[k] -= q;
     for (int k = 0; k < 6; ++k) r.stress[k] += viscous[k];

@@ -10,6 +10,8 @@ class FluidGroup final : public MaterialGroup<G, M> {
   using MaterialGroup<G, M>::MaterialGroup;
   using History = typename M::History;
 
+  bool relaxes() const override { return M::thermal; }
+
   void start() override {
     const Point point = this->point();
     this->each(
@@ -158,10 +160,23 @@ class FluidGroup final : public MaterialGroup<G, M> {
 
   /// Adds the work column [J/kg] to the energies and sets the stress. No energy falls below a fifth
   /// of what it was in one go: what a particle lacks for that, the others of its bin give, in
-  /// proportion to what they can spare.
+  /// proportion to what they can spare. What they cannot is owed to the bin, for the next group or
+  /// step that can: light gas beside heavy products lacks more than all of it holds.
   void receive_energy(const char* name) {
     const Point point = this->point();
+    if constexpr (!M::thermal) {
+      this->each(
+          name, KOKKOS_LAMBDA(const int p) {
+            History h = point.load(p);
+            h.energy += point.particles.work(p, 0);
+            point.save(p, h);
+            point.refresh(p);
+          });
+      return;
+    }
     const auto first = point.particles.first;
+    const auto owed = this->debt;
+    const bool on_credit = owed.extent(0) > 0;
     int held = 0;
     Kokkos::parallel_reduce(
         name, Kokkos::RangePolicy<Space>(0, static_cast<int>(first.extent(0)) - 2),
@@ -171,8 +186,10 @@ class FluidGroup final : public MaterialGroup<G, M> {
             const double e = point.load(p).energy, margin = 0.8 * e + point.particles.work(p, 0);
             (margin < 0 ? lacking : spare) += point.particles.m(p) * fabs(margin);
           }
-          const double share = lacking > 0 ? (spare > lacking ? lacking / spare : 1) : 0;
           sum += lacking > spare;
+          if (on_credit) lacking += owed(bin);
+          const double share = lacking > 0 ? (spare > lacking ? lacking / spare : 1) : 0;
+          if (on_credit) owed(bin) = most(lacking - spare, 0);
           for (int p = first(bin); p < first(bin + 1); ++p) {
             History h = point.load(p);
             const double margin = 0.8 * h.energy + point.particles.work(p, 0);

@@ -29,7 +29,7 @@ class MaterialGroup : public Group<G> {
     needs.affine = this->transfer->affine();
     needs.work = this->scheme.midpoint;
     needs.half_stress = this->scheme.midpoint && !M::fluid;
-    needs.relaxation = needs.relaxation && M::fluid;
+    needs.relaxation = needs.relaxation && this->relaxes();
     needs.stress_relaxation = this->scheme.stress_relaxation > 0 && !M::fluid;
     needs.extent = D > 1 && (this->transfer->sized() || (needs.extent && M::fluid));
     this->particles = Particles<G>(capacity, needs);
@@ -113,7 +113,11 @@ Totals MaterialGroup<G, M>::totals(int begin, int end, double affine_inertia) co
           if (affine)
             for (int k = 0; k < D * D; ++k)
               twice += affine_inertia * square(point.particles.affine(p, k));
-          for (int d = 0; d < D; ++d) sum.momentum[d] += m * v[d];
+          for (int d = 0; d < D; ++d) {
+            sum.momentum[d] += m * v[d];
+            sum.absolute_momentum[d] += m * fabs(v[d]);
+          }
+          sum.motion += m * sqrt(dot(v, v));
           sum.mass += m;
           sum.kinetic += 0.5 * m * twice;
           sum.internal += m * M::energy(h);

@@ -9,11 +9,12 @@ class ParameterList;
 namespace brisance {
 
 /// An equation of state, linear in the specific energy at a given density: p = offset(rho) +
-/// slope(rho) e. It says, too, whether the matter burns, how much of the scheme's volume relaxation
-/// it takes and whether it takes part in conduction.
+/// slope(rho) e. It says, too, whether that depends on the energy at all (where it does not, the
+/// energy is a ledger and the pressure may be a tension), whether the matter burns, how much of the
+/// scheme's volume relaxation it takes and whether it takes part in conduction.
 struct PerfectGas {
   static constexpr const char* name = "perfect gas";
-  static constexpr bool burns = false;
+  static constexpr bool thermal = true, burns = false;
   static constexpr double volume_share = 1;
   static constexpr bool conducts = true;
 

@@ -11,6 +11,7 @@
 #include "materials/drucker_prager.hpp"
 #include "materials/elastic.hpp"
 #include "materials/jwl.hpp"
+#include "materials/linear_fluid.hpp"
 #include "materials/perfect_gas.hpp"
 #include "materials/von_mises.hpp"
 
@@ -19,7 +20,7 @@ namespace brisance {
 template <class... T>
 struct TypeList {};
 
-using Fluids = TypeList<PerfectGas, Jwl>;
+using Fluids = TypeList<PerfectGas, Jwl, LinearFluid>;
 using Solids = TypeList<Elastic, VonMises, DruckerPrager, Concrete>;
 
 /// The names of the laws, for "law".
