@@ -2,6 +2,7 @@
 
 #include <Teuchos_ParameterList.hpp>
 #include <algorithm>
+#include <type_traits>
 
 #include "drivers/exact_detonation.hpp"
 #include "drivers/exact_layers.hpp"
