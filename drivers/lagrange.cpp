@@ -187,6 +187,13 @@ double Lagrangian::energy() const {
   return sum;
 }
 
+std::pair<double, double> Lagrangian::ends_of(int layer) const {
+  const auto is_in = [&](const Cell& cell) { return cell.layer == layer; };
+  const auto first = std::find_if(cells_.begin(), cells_.end(), is_in);
+  const auto beyond = std::find_if_not(first, cells_.end(), is_in);
+  return {x_[first - cells_.begin()], x_[beyond - cells_.begin()]};
+}
+
 double Lagrangian::mean_velocity(int layer) const {
   double momentum = 0, mass = 0;
   for (std::size_t i = 0; i < cells_.size(); ++i) {

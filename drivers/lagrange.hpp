@@ -3,6 +3,7 @@
 // that move with the matter: what a run is held against where there is no closed answer.
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "drivers/exact_solid.hpp"
@@ -62,7 +63,8 @@ class Lagrangian {
   const std::vector<double>& places() const { return x_; }  // of the ends of cells [m]
   const std::vector<double>& velocities() const { return u_; }
   double centre(std::size_t cell) const { return 0.5 * (x_[cell] + x_[cell + 1]); }
-  double mean_velocity(int layer) const;  // by mass [m/s]
+  double mean_velocity(int layer) const;               // by mass [m/s]
+  std::pair<double, double> ends_of(int layer) const;  // [m]
 
  private:
   struct Push {

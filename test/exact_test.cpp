@@ -124,41 +124,39 @@ List example(const std::string& solution) {
 
 TEST(ExactTest, EverySolutionIsMadeFromItsListAndMeasuresWhatItSays) {
   ASSERT_EQ(exact_solutions().size(), 12u);
-}
-ASSERT_EQ(exact_solutions().size(), 12u);
-ParticleTable table;
-table.dim = 2;
-table.cell_size = 0.1;
-table.cells = {10, 10, 1};
-for (auto* column : {&table.x, &table.y, &table.mass, &table.volume, &table.density,
-                     &table.pressure, &table.energy, &table.vx, &table.vy})
-  column->assign(1, 0.5);
-table.material = {0};
-table.fields.push_back({"stress xx", "Pa", {0.5}});
-for (const std::string& name : exact_solutions()) {
-  SCOPED_TRACE(name);
-  const List given = example(name);
-  const List checked = check(given, valid_exact(given));
-  const auto exact = make_exact(checked);
-  EXPECT_TRUE(std::isfinite(exact->at({0.3, 0.2, 0}, 0.1).p));
-  EXPECT_FALSE(exact->features(0.1).empty());
-  EXPECT_LE(exact->least_dim(), 2);
-  std::set<std::string> possible;
-  for (const MeasureDoc& doc : possible_measures(name)) {
-    EXPECT_TRUE(possible.insert(doc.name).second);
-    EXPECT_FALSE(doc.doc.empty());
-    EXPECT_FALSE(doc.unit.empty());
+  ParticleTable table;
+  table.dim = 2;
+  table.cell_size = 0.1;
+  table.cells = {10, 10, 1};
+  for (auto* column : {&table.x, &table.y, &table.mass, &table.volume, &table.density,
+                       &table.pressure, &table.energy, &table.vx, &table.vy})
+    column->assign(1, 0.5);
+  table.material = {0};
+  table.fields.push_back({"stress xx", "Pa", {0.5}});
+  for (const std::string& name : exact_solutions()) {
+    SCOPED_TRACE(name);
+    const List given = example(name);
+    const List checked = check(given, valid_exact(given));
+    const auto exact = make_exact(checked);
+    EXPECT_TRUE(std::isfinite(exact->at({0.3, 0.2, 0}, 0.1).p));
+    EXPECT_FALSE(exact->features(0.1).empty());
+    EXPECT_LE(exact->least_dim(), 2);
+    std::set<std::string> possible;
+    for (const MeasureDoc& doc : possible_measures(name)) {
+      EXPECT_TRUE(possible.insert(doc.name).second);
+      EXPECT_FALSE(doc.doc.empty());
+      EXPECT_FALSE(doc.unit.empty());
+    }
+    const auto docs = exact->measure_docs();
+    const auto values = exact->measures(table, 0.1);
+    ASSERT_EQ(docs.size(), values.size());
+    for (std::size_t i = 0; i < docs.size(); ++i) {
+      EXPECT_EQ(docs[i].name, values[i].name);
+      EXPECT_EQ(possible.count(docs[i].name), 1u);
+      // Along a run that was not recorded there is no period.
+      EXPECT_TRUE(std::isfinite(values[i].value) || exact->records()) << docs[i].name;
+    }
   }
-  const auto docs = exact->measure_docs();
-  const auto values = exact->measures(table, 0.1);
-  ASSERT_EQ(docs.size(), values.size());
-  for (std::size_t i = 0; i < docs.size(); ++i) {
-    EXPECT_EQ(docs[i].name, values[i].name);
-    EXPECT_EQ(possible.count(docs[i].name), 1u);
-    // Along a run that was not recorded there is no period.
-    EXPECT_TRUE(std::isfinite(values[i].value) || exact->records()) << docs[i].name;
-  }
-}
 }
 
 TEST(ExactTest, ListsAreStrict) {
