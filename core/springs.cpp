@@ -36,6 +36,19 @@ double Springs<G>::energy() const {
 }
 
 template <class G>
+std::vector<double> Springs<G>::displacements() const {
+  std::vector<double> all;
+  for (const Spring& s : springs_) all.push_back(s.displacement);
+  return all;
+}
+
+template <class G>
+void Springs<G>::set_displacements(const std::vector<double>& displacements) {
+  for (std::size_t k = 0; k < springs_.size(); ++k)
+    springs_[k].displacement = displacements.at(k);
+}
+
+template <class G>
 void Springs<G>::weigh(const std::vector<std::unique_ptr<Group<G>>>& groups, const Grid<G>& grid,
                        Accumulator& sums) {
   for (Spring& s : springs_) {

@@ -22,6 +22,9 @@ class Springs {
   bool empty() const { return springs_.empty(); }
   /// Stored in all of them. [J]
   double energy() const;
+  /// All that outlives a step, for restart: of each, in the order they were added. [m]
+  std::vector<double> displacements() const;
+  void set_displacements(const std::vector<double>& displacements);
 
   /// Before the forces: what each material puts of its mass on the nodes, as its shapes have it.
   void weigh(const std::vector<std::unique_ptr<Group<G>>>& groups, const Grid<G>& grid,

@@ -125,4 +125,16 @@ std::vector<Measure> BurstWatch::measures() const {
                              {"damaged length", damage_.length}});
 }
 
+// The damage is that of the last output alone.
+void BurstWatch::keep(Archive& archive) {
+  const Archive::Part part(archive, "burst");
+  archive.keep("case velocity", velocity_);
+  archive.keep("case velocity time", velocity_time_);
+  archive.keep("case arrival", case_arrival_);
+  archive.keep("products arrival", products_arrival_);
+  archive.keep("asymmetry", asymmetry_);
+  archive.keep("overlap share", overlap_.share);
+  archive.keep("greatest overlap", overlap_.greatest);
+}
+
 }  // namespace brisance

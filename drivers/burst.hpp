@@ -19,6 +19,7 @@ class BurstWatch final : public Watch {
 
   void observe(const ParticleTable& table, double time) override;
   std::vector<Measure> measures() const override;
+  void keep(Archive& archive) override;
 
  private:
   std::vector<bool> fluid_;

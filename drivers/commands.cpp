@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <iostream>
 
+#include "drivers/folder_lock.hpp"
 #include "drivers/input.hpp"
 #include "drivers/run.hpp"
 #include "drivers/runtime.hpp"
@@ -26,19 +27,27 @@ List load_scene(const SceneRequest& request) {
   }
 }
 
-int run_command(const SceneRequest& request, const std::string& folder, int threads) {
-  const List scene = load_scene(request);
-  const Runtime runtime(threads > 0 ? threads : threads_for(scene));
-  RunOptions options;
-  options.folder = folder.empty() ? "out/" + scene.name() : folder;
-  const RunResult result = run(scene, options);
+int tell(const List& scene, const RunResult& result, const std::filesystem::path& folder) {
   for (const Verdict& v : result.outcome.verdicts)
     std::printf("%-24s %12.4g %-6s %-20s %s\n", v.quantity.c_str(), v.measured, v.unit.c_str(),
                 v.limit().c_str(), v.reached() ? "reached" : "missed");
   std::printf("%s: %s at t = %.6g s after %ld steps, %ld particles; results in %s\n",
               scene.name().c_str(), result.outcome.status.c_str(), result.end.time, result.end.step,
-              result.end.particles, options.folder.c_str());
-  return result.outcome.status == "finished" ? 0 : 130;
+              result.end.particles, folder.c_str());
+  if (result.resumable) std::printf("to go on: brisance restart '%s'\n", folder.c_str());
+  if (result.outcome.status == "finished") return 0;
+  return result.resumable ? 75 : 130;
+}
+
+int run_command(const SceneRequest& request, const std::string& folder, int threads,
+                double wall_limit) {
+  const List scene = load_scene(request);
+  const Runtime runtime(threads > 0 ? threads : threads_for(scene));
+  RunOptions options;
+  options.folder = folder.empty() ? "out/" + scene.name() : folder;
+  options.wall_limit = wall_limit;
+  const FolderLock lock(options.folder);
+  return tell(scene, run(scene, options), options.folder);
 }
 
 }  // namespace brisance

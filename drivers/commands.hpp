@@ -1,6 +1,7 @@
 #pragma once
 // What the program can be asked to do. Each returns the exit status: 0 all well, 1 a limit missed
-// or nothing done, 2 bad input (thrown as InputError), 130 stopped by the user. `threads`: -1 for
+// or nothing done, 2 bad input (thrown as InputError), 130 stopped by the user, 75 the same (or by
+// the clock) with a checkpoint from which `restart` goes on. `threads`: -1 for
 // as many as pay.
 #include <filesystem>
 #include <string>
@@ -9,6 +10,8 @@
 #include "core/parameters.hpp"
 
 namespace brisance {
+
+struct RunResult;
 
 /// A scene file with what the command line changes in it.
 struct SceneRequest {
@@ -20,7 +23,19 @@ struct SceneRequest {
 /// The complete scene; its name is that of the file. Throws InputError with file and line.
 List load_scene(const SceneRequest& request);
 
-int run_command(const SceneRequest& request, const std::string& folder, int threads);
+/// Prints how a run went. Returns the exit status.
+int tell(const List& scene, const RunResult& result, const std::filesystem::path& folder);
+
+/// `wall_limit`: see RunOptions.
+int run_command(const SceneRequest& request, const std::string& folder, int threads,
+                double wall_limit);
+/// What a restart changes: the end, if it is above 0 [s], and output or checkpoints by assignments.
+struct RestartRequest {
+  std::string from;  ///< folder of a run, or one of its checkpoints
+  double until = 0;
+  std::vector<std::string> assignments;
+};
+int restart_command(const RestartRequest& request, int threads, double wall_limit);
 int verify_command(const std::vector<std::string>& files, const std::string& folder, int threads);
 int check_command(const SceneRequest& request, int threads);
 int describe_command(const std::string& name);

@@ -141,4 +141,10 @@ std::vector<Measure> CrackPattern::measures(const ParticleTable& table) const {
                       {"first decohesion", onset_ > 0 ? onset_ : std::nan("")}});
 }
 
+void CrackPattern::keep(Archive& archive) {
+  const Archive::Part part(archive, "cracks");
+  archive.keep("pressure", pressure_);
+  archive.keep("onset", onset_);
+}
+
 }  // namespace brisance

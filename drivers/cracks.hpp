@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/parameters.hpp"
+#include "drivers/archive.hpp"
 #include "drivers/measure.hpp"
 
 namespace brisance {
@@ -18,6 +19,8 @@ class CrackPattern {
   void observe(const ParticleTable& table, double time);
   /// Of the table at the end, in the order of measure_docs().
   std::vector<Measure> measures(const ParticleTable& table) const;
+  /// All that it remembers from one output to the next, for restart.
+  void keep(Archive& archive);
 
  private:
   int along_ = 0;        ///< direction of the hit

@@ -104,6 +104,11 @@ void PistonContainer::record(const Balance& now) {
     if (m.name == data_.piston) motion_.add(now.time, m.totals.momentum[0] / m.totals.mass);
 }
 
+void PistonContainer::keep(Archive& archive) {
+  const Archive::Part part(archive, "motion");
+  motion_.keep(archive);
+}
+
 std::vector<Measure> PistonContainer::measures(const ParticleTable&, double) const {
   return with_values(possible_measures(), {{"period", motion_.period()},
                                            {"period error", motion_.period() / period() - 1},

@@ -1,5 +1,6 @@
 #pragma once
 // A piston on a spring at the end of a column of liquid, section 4.3.1 of Hu & Chen (2006).
+#include "drivers/archive.hpp"
 #include "drivers/exact.hpp"
 #include "drivers/oscillation.hpp"
 
@@ -10,7 +11,7 @@ namespace brisance {
 /// square metre. A spring with a mass of its own, fixed at its other end, has sqrt(K m_s) w cot(w
 /// sqrt(m_s / K)) in place of K; of its modes, too, the one nearest to that of a spring without
 /// mass counts.
-class PistonContainer final : public ExactSolution {
+class PistonContainer final : public ExactSolution, public Remembers {
  public:
   struct Data {
     double stiffness = 1;                         // of the spring [N/m^3]
@@ -33,6 +34,7 @@ class PistonContainer final : public ExactSolution {
   std::vector<MeasureDoc> measure_docs() const override { return possible_measures(); }
   bool records() const override { return true; }
   void record(const Balance& now) override;
+  void keep(Archive& archive) override;
   std::vector<Measure> measures(const ParticleTable& table, double t) const override;
 
  private:

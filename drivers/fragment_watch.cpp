@@ -8,6 +8,25 @@
 #include "drivers/fragments.hpp"
 
 namespace brisance {
+namespace {
+
+std::array<double*, 15> numbers_of(Fragment& f) {
+  return {&f.mass,        &f.volume,      &f.centre[0],   &f.centre[1],
+          &f.centre[2],   &f.velocity[0], &f.velocity[1], &f.velocity[2],
+          &f.spin,        &f.translation, &f.rotation,    &f.rest,
+          &f.size,        &f.length,      &f.width};
+}
+
+void keep_sums(Archive& archive, const std::string& name, MotionSums& sums) {
+  const Archive::Part part(archive, name);
+  archive.keep("points", sums.points);
+  archive.keep("mass", sums.mass);
+  archive.keep("kinetic", sums.kinetic);
+  for (const char axis : {'x', 'y', 'z'})
+    archive.keep(std::string("momentum ") + axis, sums.momentum[axis - 'x']);
+}
+
+}  // namespace
 
 FragmentWatch::FragmentWatch(const List& list, const WatchedMaterials& materials)
     : material_(materials.number(get<std::string>(list, "material"))),
@@ -89,6 +108,29 @@ std::vector<Measure> FragmentWatch::measures() const {
                       {"fragment mass error", found_.mass_error()},
                       {"fragment momentum error", found_.momentum_error()},
                       {"fragment energy error", found_.energy_error()}});
+}
+
+void FragmentWatch::keep(Archive& archive) {
+  const Archive::Part part(archive, "fragments");
+  archive.keep("rows", rows_);
+  archive.keep("settled", settled_);
+  if (!settled_) return;  // what was found is found anew at the end
+  Archive::Integers points;
+  Archive::Doubles numbers;
+  for (Fragment& f : found_.pieces) {
+    points.push_back(f.points);
+    for (const double* number : numbers_of(f)) numbers.push_back(*number);
+  }
+  archive.keep("points", points);
+  archive.keep("numbers", numbers);
+  found_.pieces.resize(points.size());
+  std::size_t next = 0;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    found_.pieces[k].points = points[k];
+    for (double* number : numbers_of(found_.pieces[k])) *number = numbers.at(next++);
+  }
+  keep_sums(archive, "dust", found_.dust);
+  keep_sums(archive, "all", found_.all);
 }
 
 void FragmentWatch::write(const std::filesystem::path& folder) const {

@@ -58,6 +58,7 @@ class FragmentWatch final : public Watch {
   void observe(const ParticleTable& table, double time) override;
   /// Of the first table at or past the time asked for, else of the last one.
   std::vector<Measure> measures() const override;
+  void keep(Archive& archive) override;
   /// fragments.csv: a row for each piece of each output.
   void write(const std::filesystem::path& folder) const override;
 

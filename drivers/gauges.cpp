@@ -128,6 +128,25 @@ void Gauges::observe(Simulation& simulation) {
   if (cadence_.due(time) || start || time >= end_) sample(simulation);
 }
 
+void Gauges::keep(Archive& archive) {
+  const Archive::Part part(archive, "gauges");
+  archive.keep("times", times_);
+  archive.keep("table", table_);
+  cadence_.keep(archive);
+  for (std::size_t k = 0; k < gauges_.size(); ++k) {
+    Gauge& gauge = gauges_[k];
+    const Archive::Part of_gauge(archive, "gauge " + gauge.name);
+    Archive::Doubles place(windows_[k].place.begin(), windows_[k].place.end());
+    archive.keep("place", place);
+    std::copy_n(place.begin(), std::min(place.size(), windows_[k].place.size()),
+                windows_[k].place.begin());
+    archive.keep("reference", gauge.reference);
+    archive.keep("impulse", gauge.impulse);
+    archive.keep("positive impulse", gauge.positive);
+    archive.keep("overpressure", gauge.overpressure);
+  }
+}
+
 void Gauges::sample(const Simulation& simulation) {
   const double time = simulation.time(), since = times_.empty() ? 0 : time - times_.back();
   const auto seen = simulation.probe(windows_);

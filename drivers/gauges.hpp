@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/parameters.hpp"
+#include "drivers/archive.hpp"
 #include "drivers/cadence.hpp"
 #include "drivers/measure.hpp"
 #include "drivers/simulation.hpp"
@@ -26,6 +27,8 @@ class Gauges {
   /// To be called at the start and after each step: moves gauges that ride, and samples when that
   /// is due.
   void observe(Simulation& simulation);
+  /// The record so far, for restart.
+  void keep(Archive& archive);
 
   /// The samples as a table, one line for each time: time, then for each gauge NAME the columns
   /// x_NAME (y_NAME), pressure_NAME, overpressure_NAME, impulse_NAME, positive_impulse_NAME,

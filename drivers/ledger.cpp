@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "drivers/archive_state.hpp"
+
 namespace brisance {
 namespace {
 
@@ -19,6 +21,12 @@ Ledger::Ledger(const Balance& start)
     materials_.push_back(m.name);
     solids_ = solids_ || m.solid;
   }
+}
+
+void Ledger::keep(Archive& archive) {
+  const Archive::Part part(archive, "start");
+  brisance::keep(archive, "totals", start_);
+  archive.keep("springs", springs_);
 }
 
 double Ledger::mass_error(const Balance& now) const {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/group.hpp"
+#include "drivers/archive.hpp"
 #include "drivers/measure.hpp"
 
 namespace brisance {
@@ -40,6 +41,9 @@ class Ledger {
 
   /// What has left through free ends, in a line for people.
   std::string departures(const Balance& now) const;
+
+  /// What there was at the start, for restart.
+  void keep(Archive& archive);
 
   /// A line of history.csv, and its head. After the sums over everything stand those over each
   /// material, as mass_NAME.

@@ -41,10 +41,31 @@ int main(int argc, char** argv) {
         ->check(CLI::Range(1, 4096));
   };
 
+  double wall_limit = 0;
+  const auto add_wall_limit = [&](CLI::App* command) {
+    command
+        ->add_option("--wall-limit", wall_limit,
+                     "stop after so long by the clock, with a checkpoint and exit status 75 [s]")
+        ->check(CLI::PositiveNumber);
+  };
+
   CLI::App* run_ = app.add_subcommand("run", "run a scene");
   add_scene(*run_, scene);
   run_->add_option("--out", folder, "folder for the results (default: out/<scene>)");
   add_threads(run_);
+  add_wall_limit(run_);
+
+  RestartRequest again;
+  CLI::App* restart = app.add_subcommand(
+      "restart", "go on with a run from its newest good checkpoint, in the same folder");
+  restart->add_option("FROM", again.from, "folder of a run, or one of its checkpoints")->required();
+  restart->add_option("--until", again.until, "another simulated time to end at [s]")
+      ->check(CLI::PositiveNumber);
+  restart->add_option("--set", again.assignments,
+                      "'list/parameter=value' of the lists output and checkpoint")
+      ->allow_extra_args(false);
+  add_threads(restart);
+  add_wall_limit(restart);
 
   CLI::App* verify = app.add_subcommand("verify", "run scenes and hold them against their limits");
   verify->add_option("SCENE", files, "scene files (default: all in inputs/)");
@@ -87,7 +108,8 @@ int main(int argc, char** argv) {
   std::signal(SIGTERM, [](int) { request_stop(); });
   int status = 0;
   try {
-    if (*run_) status = run_command(scene, folder, threads);
+    if (*run_) status = run_command(scene, folder, threads, wall_limit);
+    if (*restart) status = restart_command(again, threads, wall_limit);
     if (*verify) status = verify_command(files, folder, threads);
     if (*check_) status = check_command(scene, threads);
     if (*describe_) status = describe_command(name);

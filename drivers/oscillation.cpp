@@ -21,6 +21,28 @@ void Oscillation::add(double time, double velocity) {
   greatest_ = std::max(greatest_, place);
 }
 
+void Oscillation::keep(Archive& archive) {
+  Archive::Doubles samples, times;
+  Archive::Integers before;
+  for (const Sample& s : samples_)
+    samples.insert(samples.end(), {s.time, s.velocity, s.displacement});
+  for (const Passage& p : passages_) {
+    before.push_back(static_cast<std::int64_t>(p.before));
+    times.push_back(p.time);
+  }
+  archive.keep("samples", samples);
+  archive.keep("samples before passages", before);
+  archive.keep("times of passages", times);
+  archive.keep("least", least_);
+  archive.keep("greatest", greatest_);
+  samples_.clear();
+  for (std::size_t k = 0; k + 2 < samples.size(); k += 3)
+    samples_.push_back({samples[k], samples[k + 1], samples[k + 2]});
+  passages_.clear();
+  for (std::size_t k = 0; k < before.size(); ++k)
+    passages_.push_back({static_cast<std::size_t>(before[k]), times.at(k)});
+}
+
 double Oscillation::period() const {
   if (periods() == 0) return std::nan("");
   const double n = static_cast<double>(passages_.size()), middle = 0.5 * (n - 1);

@@ -3,12 +3,16 @@
 #include <cstddef>
 #include <vector>
 
+#include "drivers/archive.hpp"
+
 namespace brisance {
 
 class Oscillation {
  public:
   /// At ascending times [s]; between them the velocity [m/s] is taken as linear.
   void add(double time, double velocity);
+  /// The whole record, for restart.
+  void keep(Archive& archive);
 
   /// Whole periods, from one passage of the first place in the first direction to the next.
   std::size_t periods() const { return passages_.empty() ? 0 : passages_.size() - 1; }

@@ -76,7 +76,7 @@ class Runner:
             except KeyboardInterrupt:  # which the run has heard, too, and ends with complete results
                 run.wait()
                 raise Interrupted from None
-        if run.returncode == 130:
+        if run.returncode in (75, 130):
             raise Interrupted
         return f"the run failed: {said}" if run.returncode else ""
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "drivers/files.hpp"
 #include "drivers/input.hpp"
@@ -20,6 +21,12 @@ std::vector<double> interleaved(const std::vector<double>& x, const std::vector<
   return all;
 }
 
+std::string numbered(const std::string& name, std::size_t place, const std::string& extension) {
+  char number[32];
+  std::snprintf(number, sizeof number, "_%06zu", place);
+  return name + number + extension;
+}
+
 vtk::Box box_of(const ParticleTable& t) {
   vtk::Box box;
   box.origin = t.origin;
@@ -28,6 +35,31 @@ vtk::Box box_of(const ParticleTable& t) {
     box.cells[d] = d < t.dim ? t.cells[d] : 0;
   }
   return box;
+}
+
+/// A series that is resumed may have had files beyond its end: a run that is cut off leaves some.
+void keep_series(Archive& archive, const std::string& name, const std::string& extension,
+                 vtk::Series& series) {
+  const Archive::Part part(archive, name);
+  Archive::Doubles times;
+  std::string files;
+  for (const auto& entry : series.entries()) {
+    times.push_back(entry.time);
+    files += entry.file + "\n";
+  }
+  archive.keep("times", times);
+  archive.keep("files", files);
+  if (!archive.reading()) return;
+  std::vector<vtk::Series::Entry> entries;
+  std::istringstream lines(files);
+  std::string file;
+  for (const double time : times)
+    if (std::getline(lines, file)) entries.push_back({time, file});
+  const auto folder = series.path().parent_path();
+  for (std::size_t k = entries.size(); std::filesystem::remove(folder / numbered(name, k, extension));
+       ++k) {
+  }
+  series.resume(std::move(entries));
 }
 
 /// A number as JSON has it: null for what is not finite.
@@ -54,13 +86,6 @@ Results::Results(const std::filesystem::path& folder, const List& scene, const L
                   std::string(version::number));
 }
 
-std::string Results::numbered(const std::string& name) const {
-  char number[16];
-  std::snprintf(number, sizeof number, "_%06zu",
-                name == "grid" ? grid_series_.entries().size() : particle_series_.entries().size());
-  return name + number + (name == "grid" ? ".vti" : ".vtp");
-}
-
 void Results::add(const Snapshot& shot) {
   const ParticleTable& t = shot.table;
   if (particles_) {
@@ -74,7 +99,7 @@ void Results::add(const Snapshot& shot) {
         vtk::Column("material", std::vector<std::int32_t>(t.material.begin(), t.material.end())),
         vtk::Column("id", shot.id)};
     for (const auto& field : t.fields) columns.emplace_back(field.name, field.values);
-    const std::string file = numbered("particles");
+    const std::string file = numbered("particles", particle_series_.entries().size(), ".vtp");
     vtk::write_vtp(folder_ / file, interleaved(t.x, t.y, t.z), columns);
     particle_series_.add(shot.time, folder_ / file);
   }
@@ -92,7 +117,7 @@ void Results::add(const Snapshot& shot) {
       for (const double v : empty ? std::array<double, 3>{} : s.mean_velocity())
         velocity.push_back(v);
     }
-    const std::string file = numbered("grid");
+    const std::string file = numbered("grid", grid_series_.entries().size(), ".vti");
     vtk::write_vti(folder_ / file, box_of(t), {},
                    {vtk::Column("fill", fill), vtk::Column("density", density),
                     vtk::Column("pressure", pressure), vtk::Column("energy", energy),
@@ -104,6 +129,14 @@ void Results::add(const Snapshot& shot) {
 void Results::add(const Ledger& ledger, const Balance& balance) {
   note(ledger, balance);
   write_file(folder_ / "history.csv", history_);
+}
+
+void Results::keep(Archive& archive) {
+  const Archive::Part part(archive, "results");
+  archive.keep("history.csv", history_);
+  keep_series(archive, "particles", ".vtp", particle_series_);
+  keep_series(archive, "grid", ".vti", grid_series_);
+  if (archive.reading()) write_file(folder_ / "history.csv", history_);
 }
 
 void Results::write_exact(const ExactSolution& exact, const Snapshot& shot) {

@@ -36,6 +36,10 @@ class Results {
   void write_exact(const ExactSolution& exact, const Snapshot& shot);
   void write_summary(const Outcome& outcome, const Ledger& ledger, const Balance& balance);
 
+  /// What has been written so far, for restart: histories and series go on from there, and what is
+  /// numbered beyond is deleted.
+  void keep(Archive& archive);
+
   const std::filesystem::path& folder() const { return folder_; }
 
  private:
@@ -45,8 +49,6 @@ class Results {
   bool particles_, grid_;
   vtk::Series particle_series_, grid_series_;
   std::string history_;
-
-  std::string numbered(const std::string& name) const;
 };
 
 }  // namespace brisance

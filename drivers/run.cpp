@@ -7,12 +7,16 @@
 #include <optional>
 
 #include "drivers/cadence.hpp"
+#include "drivers/checkpoint.hpp"
 #include "drivers/cracks.hpp"
 #include "drivers/files.hpp"
 #include "drivers/gauges.hpp"
+#include "drivers/input.hpp"
 #include "drivers/progress.hpp"
+#include "drivers/runtime.hpp"
 #include "drivers/simulation.hpp"
 #include "drivers/watch.hpp"
+#include "version.hpp"
 
 namespace brisance {
 namespace {
@@ -20,6 +24,19 @@ namespace {
 volatile std::sig_atomic_t stop_requested = 0;
 
 double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+CheckpointHead head_of(const List& scene, const Simulation& simulation) {
+  CheckpointHead head;
+  head.program = version::number;
+  head.commit = version::commit;
+  head.scene = scene.name();
+  head.title = get<std::string>(scene, "title");
+  head.step = simulation.step_count();
+  head.time = simulation.time();
+  head.threads = running_threads();
+  head.input = input_text(scene, "The complete input of the run, defaults included.");
+  return head;
+}
 
 }  // namespace
 
@@ -30,10 +47,16 @@ RunResult run(const List& scene, const RunOptions& options) {
   const auto exact = exact_list ? make_exact(*exact_list) : nullptr;
   const auto simulation = make_simulation(scene, exact.get());
   const double end = get<double>(scene.sublist("time"), "end");
-  const Ledger ledger(simulation->balance());
+  Ledger ledger(simulation->balance());
 
   std::optional<Results> results;
-  if (!options.folder.empty()) results.emplace(options.folder, scene, ledger);
+  std::optional<Checkpoints> checkpoints;
+  const bool others =
+      !options.folder.empty() && !options.resume && set_aside_checkpoints(options.folder);
+  if (!options.folder.empty()) {
+    results.emplace(options.folder, scene, ledger);
+    checkpoints.emplace(scene, options.folder);
+  }
   const List* crack_list = find_list(scene, "cracks");
   std::optional<CrackPattern> cracks;
   if (crack_list) cracks.emplace(*crack_list);
@@ -57,40 +80,101 @@ RunResult run(const List& scene, const RunOptions& options) {
   shown.end = end;
   shown.quiet = options.quiet;
   if (results) shown.log = options.folder / "log.txt";
-  Progress progress(shown);
   const auto standing = [&] {
     return Standing{simulation->time(), simulation->dt(), simulation->step_count(),
                     simulation->particle_count()};
   };
 
-  if (gauges) gauges->observe(*simulation);
-  const bool recorded = exact && exact->records();
-  if (recorded) exact->record(simulation->balance());
-  output();
   const double interval = get<double>(scene.sublist("output"), "interval");
   Cadence cadence(interval > 0 ? interval : end / 10);
   const double between = get<double>(scene.sublist("output"), "history interval");
   Cadence history(results && between > 0 ? between : 2 * end);
   RunResult result;
+  Outcome& outcome = result.outcome;
+  const bool recorded = exact && exact->records();
+
+  // All that outlives a step, in either direction.
+  const auto keep = [&](Archive& archive) {
+    simulation->keep(archive);
+    ledger.keep(archive);
+    if (recorded) dynamic_cast<Remembers&>(*exact).keep(archive);
+    if (cracks) cracks->keep(archive);
+    for (const auto& watch : watches) watch->keep(archive);
+    if (gauges) gauges->keep(archive);
+    cadence.keep(archive, "output");
+    history.keep(archive, "history");
+    if (checkpoints) checkpoints->keep(archive);
+    if (results) results->keep(archive);
+    const Archive::Part part(archive, "spent");
+    archive.keep("wall seconds", outcome.wall_seconds);
+    archive.keep("cpu seconds", outcome.cpu_seconds);
+    archive.keep("particle steps", outcome.particle_steps);
+  };
+  if (options.resume) {
+    keep(*options.resume);
+    shown.resumed_at = simulation->time();
+  }
+  Progress progress(shown);
+  if (others) progress.note("checkpoints of an earlier run are now in 'checkpoints.before'");
+  for (const auto& line : options.notes) progress.note(line);
+
   const auto started = std::chrono::steady_clock::now();
-  const double cpu = cpu_seconds();
-  while (simulation->time() < end && !stop_requested) {
-    simulation->advance(end);
-    if (gauges) gauges->observe(*simulation);
-    if (recorded) exact->record(simulation->balance());
-    result.outcome.particle_steps += static_cast<double>(simulation->particle_count());
-    progress.update(standing());
-    if (simulation->time() >= end) break;
+  const double wall_before = outcome.wall_seconds, cpu_before = outcome.cpu_seconds - cpu_seconds();
+  const auto wall_seconds = [&] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+  };
+  const auto spend = [&] {
+    outcome.wall_seconds = wall_before + wall_seconds();
+    outcome.cpu_seconds = cpu_before + cpu_seconds();
+  };
+  // A disk that is full must not end a run that can go on.
+  const auto save = [&] {
+    try {
+      spend();
+      Archive archive;
+      keep(archive);
+      checkpoints->write(head_of(scene, *simulation), std::move(archive));
+      return true;
+    } catch (const std::exception& error) {
+      progress.note(std::string("no checkpoint: ") + error.what());
+      return false;
+    }
+  };
+  const auto output_if_due = [&] {
     const bool noted = history.due(simulation->time());
     if (cadence.due(simulation->time()))
       output();
     else if (noted)
       results->note(ledger, simulation->balance());
+  };
+  if (!options.resume) {
+    if (gauges) gauges->observe(*simulation);
+    if (recorded) exact->record(simulation->balance());
+    output();
+  } else if (simulation->time() < end) {
+    output_if_due();  // a run that goes on beyond its former end owes the output there
   }
-  result.outcome.wall_seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
-  result.outcome.cpu_seconds = cpu_seconds() - cpu;
-  result.outcome.status = simulation->time() < end ? "interrupted" : "finished";
+  const auto stopped = [&] {
+    return stop_requested || (options.wall_limit > 0 && wall_seconds() >= options.wall_limit);
+  };
+  while (simulation->time() < end && !stopped()) {
+    simulation->advance(end);
+    if (gauges) gauges->observe(*simulation);
+    if (recorded) exact->record(simulation->balance());
+    outcome.particle_steps += static_cast<double>(simulation->particle_count());
+    progress.update(standing());
+    if (simulation->time() >= end) break;
+    output_if_due();
+    if (checkpoints && checkpoints->due(simulation->step_count(), simulation->time()))
+      save();
+  }
+  outcome.status = simulation->time() < end ? "interrupted" : "finished";
+  // Before the last output, which a run that goes on from here must not find twice.
+  if (checkpoints && outcome.status == "interrupted")
+    result.resumable = save();
+  else if (checkpoints && checkpoints->due_at_end())
+    save();
+  spend();
   progress.finish(standing());
 
   result.end = simulation->balance();

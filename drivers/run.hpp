@@ -1,8 +1,11 @@
 #pragma once
 // The loop of a run: steps, output, books, and the measures at its end.
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "core/parameters.hpp"
+#include "drivers/archive.hpp"
 #include "drivers/results.hpp"
 
 namespace brisance {
@@ -10,16 +13,21 @@ namespace brisance {
 struct RunOptions {
   std::filesystem::path folder;  ///< where results go; empty: nowhere
   bool quiet = false;            ///< no progress on the screen
+  double wall_limit = 0;         ///< stops as a signal does after so long; 0: never [s]
+  Archive* resume = nullptr;     ///< what a checkpoint of the same scene holds, to go on from
+  std::vector<std::string> notes = {};  ///< lines for people, at the start
 };
 
 struct RunResult {
   Outcome outcome;
   Balance end;
-  double cell_size = 0;  // [m]
+  double cell_size = 0;     // [m]
+  bool resumable = false;  ///< interrupted, and a checkpoint tells where to go on
 };
 
-/// Runs a checked scene to its end, or until a signal (SIGINT, SIGTERM) asks to stop: then the
-/// output so far is complete and the status "interrupted".
+/// Runs a checked scene to its end, or until a signal (SIGINT, SIGTERM) or the clock asks to stop:
+/// then the output so far is complete, a checkpoint is in the folder, if there is one, and the
+/// status is "interrupted".
 RunResult run(const List& scene, const RunOptions& options);
 
 /// Asks running loops to stop after the step they are in; safe in a signal handler.

@@ -13,6 +13,9 @@ class Runtime {
   Runtime& operator=(const Runtime&) = delete;
 };
 
+/// How many threads the runtime has started.
+int running_threads();
+
 /// As many threads as a complete scene has work for: starting the others would cost more than they
 /// do.
 int threads_for(const List& scene);

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/transfer.hpp"
+#include "drivers/checkpoint.hpp"
 #include "drivers/cracks.hpp"
 #include "drivers/exact.hpp"
 #include "drivers/gauges.hpp"
@@ -282,6 +283,8 @@ List valid_scene(const List& given) {
     declare_list(springs, name, "a spring") = valid_spring(list_names(given_materials), dim);
 
   add_output(valid);
+  declare_optional_list(valid, "checkpoint", "states of the run, from which it can go on later") =
+      Checkpoints::valid_parameters();
   const List* exact = find_list(given, "exact");
   List& exact_list =
       declare_optional_list(valid, "exact", "the known answer that the run is measured against");

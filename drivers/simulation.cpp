@@ -6,6 +6,7 @@
 
 #include "core/geometry.hpp"
 #include "core/step.hpp"
+#include "drivers/archive_state.hpp"
 #include "drivers/bodies.hpp"
 #include "drivers/ignition.hpp"
 #include "drivers/probe.hpp"
@@ -137,6 +138,12 @@ class SimulationIn final : public Simulation {
         static_cast<double>(state_.grid.bytes() + state_.sums.bytes() + state_.means.bytes());
     f.sort_bytes = static_cast<double>(state_.sorter.bytes());
     return f;
+  }
+
+  void keep(Archive& archive) override {
+    const Archive::Part part(archive, "state");
+    brisance::keep(archive, state_);
+    archive.keep("dt", dt_);  // limits the growth of the next; the fastest signal is found anew
   }
 
   std::vector<Seen> probe(const std::vector<Window>& windows) const override {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/parameters.hpp"
+#include "drivers/archive.hpp"
 #include "drivers/exact.hpp"
 #include "drivers/ledger.hpp"
 #include "drivers/window.hpp"
@@ -45,6 +46,9 @@ class Simulation {
   virtual Balance balance() const = 0;
   virtual Snapshot snapshot() const = 0;
   virtual Footprint footprint() const = 0;
+
+  /// All that outlives a step. What is read must belong to the same scene.
+  virtual void keep(Archive& archive) = 0;
 
   /// What matter around some places is like.
   virtual std::vector<Seen> probe(const std::vector<Window>& windows) const = 0;

@@ -264,7 +264,15 @@ void Series::add(double time, const std::filesystem::path& file) {
   }
   if (!entries_.empty() && entries_.back().time == time) entries_.pop_back();
   entries_.push_back({time, name});
+  write();
+}
 
+void Series::resume(std::vector<Entry> entries) {
+  entries_ = std::move(entries);
+  if (!entries_.empty()) write();
+}
+
+void Series::write() const {
   std::string text = opening("Collection") + "<Collection>\n";
   for (const auto& entry : entries_) {
     text += "<DataSet" + with("timestep", text_of(entry.time)) + with("group", "") +

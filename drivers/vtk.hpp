@@ -71,6 +71,9 @@ class Series {
   /// there is no file, a new one. Throws std::runtime_error if the file is no series of ours.
   static Series resumed(std::filesystem::path path, double time);
 
+  /// Takes up these entries in place of its own, and writes them.
+  void resume(std::vector<Entry> entries);
+
   /// Adds a file that lies in or below the folder of the .pvd. Throws std::invalid_argument for
   /// times out of order.
   void add(double time, const std::filesystem::path& file);
@@ -81,6 +84,8 @@ class Series {
  private:
   std::filesystem::path path_;
   std::vector<Entry> entries_;
+
+  void write() const;
 };
 
 }  // namespace brisance::vtk

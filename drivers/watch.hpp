@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/parameters.hpp"
+#include "drivers/archive.hpp"
 #include "drivers/measure.hpp"
 
 namespace brisance {
@@ -18,6 +19,8 @@ class Watch {
   virtual void observe(const ParticleTable& table, double time) = 0;
   /// Of all that has been observed.
   virtual std::vector<Measure> measures() const = 0;
+  /// All that it remembers from one output to the next, for restart.
+  virtual void keep(Archive& archive) = 0;
   /// Files of its own, into the folder of the run.
   virtual void write(const std::filesystem::path& /*folder*/) const {}
 };

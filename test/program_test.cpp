@@ -252,7 +252,7 @@ TEST_P(Interrupt, LeavesCompleteOutput) {
       {"run", input("sod"), "--set", "time/end=0.19", "--set", "grid/cells={20000}", "--set",
        "grid/cell size=0.00005", "--out", out.string()},
       out / "history.csv", GetParam());
-  EXPECT_EQ(ran.status, 130) << ran.err;
+  EXPECT_EQ(ran.status, 75) << ran.err;
   const auto j = summary_of(out);
   EXPECT_EQ(j["status"], "interrupted");
   EXPECT_LT(j["time"], 0.19);
