@@ -159,6 +159,7 @@ WallDamage wall_damage(const ParticleTable& table, int wall, const std::array<do
   const auto *damage = table.field("damage"), *decohesion = table.field("decohesion");
   struct Part {
     double mass = 0, failed = 0;
+    bool harmed = false;
   };
   std::array<Part, 4 * parts> along{};
   double mass = 0, harmed = 0, failed = 0, near = 0;
@@ -176,21 +177,25 @@ WallDamage wall_damage(const ParticleTable& table, int wall, const std::array<do
     if (std::abs(off) >= inner) continue;  // a corner of the box belongs to no face
     const int face = beside ? (dx < 0) : 2 + (dy < 0);
     const int part = std::min(parts - 1, static_cast<int>((off / inner + 1) * 0.5 * parts));
-    along[face * parts + part].mass += m;
-    along[face * parts + part].failed += of_it;
+    Part& here = along[face * parts + part];
+    here.mass += m;
+    here.failed += of_it;
+    here.harmed = here.harmed || 1 - sound > 0.1;
   }
-  double count = 0, sum = 0, squares = 0;
+  double count = 0, sum = 0, squares = 0, length = 0;
   for (const Part& p : along) {
     if (!(p.mass > 0)) continue;
     const double mean = p.failed / p.mass;
     ++count;
     sum += mean;
     squares += mean * mean;
+    length += p.harmed;
   }
   WallDamage of_wall;
   of_wall.near_middle = failed > 0 ? near / failed : std::nan("");
   of_wall.share = relative(harmed, mass);
   of_wall.spread = squares > 0 ? sum * sum / (count * squares) : std::nan("");
+  of_wall.length = relative(length, count);
   return of_wall;
 }
 

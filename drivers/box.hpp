@@ -42,6 +42,7 @@ struct WallDamage {
   /// (sum f)^2 / (n sum f^2) of the mean failures f along the faces, in n parts of a sixteenth of a
   /// face: 1 where all fail alike, 1 / n where one part does (an inverse participation ratio).
   double spread = 0;
+  double length = 0;  ///< share of these parts in which some point has a failure above 0.1
 };
 /// Without any failure the first and the last are nan.
 WallDamage wall_damage(const ParticleTable& table, int wall, const std::array<double, 3>& centre,

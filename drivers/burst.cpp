@@ -82,7 +82,9 @@ std::vector<MeasureDoc> BurstWatch::measure_docs(const List& given) {
                {"damaged share", "-", "of the wall's mass with a failure above 0.1"},
                {"damage spread", "-",
                 "inverse participation ratio of failure along the faces: 1 where they fail alike "
-                "everywhere, 1 over the number of parts where one part does"}});
+                "everywhere, 1 over the number of parts where one part does"},
+               {"damaged length", "-",
+                "share of the length of the faces along which some point has a failure above 0.1"}});
   return docs;
 }
 
@@ -119,7 +121,8 @@ std::vector<Measure> BurstWatch::measures() const {
                              {"greatest overlap", overlap_.greatest},
                              {"damage near the middle", damage_.near_middle},
                              {"damaged share", damage_.share},
-                             {"damage spread", damage_.spread}});
+                             {"damage spread", damage_.spread},
+                             {"damaged length", damage_.length}});
 }
 
 }  // namespace brisance

@@ -2,9 +2,13 @@
 
 #include <Teuchos_ParameterList.hpp>
 #include <algorithm>
+#include <type_traits>
 
+#include "drivers/exact_detonation.hpp"
+#include "drivers/exact_layers.hpp"
 #include "drivers/exact_parameters.hpp"
 #include "drivers/exact_piston.hpp"
+#include "drivers/exact_piston_gas.hpp"
 #include "drivers/exact_solid.hpp"
 
 namespace brisance {
@@ -13,28 +17,38 @@ namespace {
 // Everything there is to know of one kind of solution before its data are known.
 struct Kind {
   const char* name;
-  List (*valid_parameters)();
+  List (*valid_parameters)(const List& given);
   std::vector<MeasureDoc> (*possible_measures)();
   std::unique_ptr<ExactSolution> (*make)(const List&);
 };
 
 template <class Solution>
 constexpr Kind kind(const char* name) {
-  return {name, &Solution::valid_parameters, &Solution::possible_measures,
+  return {name,
+          [](const List& given) {
+            if constexpr (std::is_invocable_v<decltype(Solution::valid_parameters), const List&>)
+              return Solution::valid_parameters(given);
+            else
+              return Solution::valid_parameters();
+          },
+          &Solution::possible_measures,
           [](const List& list) -> std::unique_ptr<ExactSolution> {
             return std::make_unique<Solution>(list);
           }};
 }
 
-constexpr std::array<Kind, 9> kinds{kind<Riemann>("riemann"),
-                                    kind<Sedov>("sedov"),
-                                    kind<AcousticWave>("acoustic wave"),
-                                    kind<Vortex>("vortex"),
-                                    kind<Uniform>("uniform"),
-                                    kind<StandingWave>("standing wave"),
-                                    kind<PlateImpact>("plate impact"),
-                                    kind<PlasticWave>("plastic wave"),
-                                    kind<PistonContainer>("piston container")};
+constexpr std::array<Kind, 12> kinds{kind<Riemann>("riemann"),
+                                     kind<Sedov>("sedov"),
+                                     kind<AcousticWave>("acoustic wave"),
+                                     kind<Vortex>("vortex"),
+                                     kind<Uniform>("uniform"),
+                                     kind<StandingWave>("standing wave"),
+                                     kind<PlateImpact>("plate impact"),
+                                     kind<PlasticWave>("plastic wave"),
+                                     kind<PistonContainer>("piston container"),
+                                     kind<Detonation>("detonation"),
+                                     kind<PistonGas>("piston gas"),
+                                     kind<Layers>("layers")};
 
 List choice() {
   List valid;
@@ -66,7 +80,7 @@ std::vector<MeasureDoc> possible_measures(const std::string& solution) {
   return kind_named(solution).possible_measures();
 }
 
-List valid_exact(const List& given) { return kind_of(given).valid_parameters(); }
+List valid_exact(const List& given) { return kind_of(given).valid_parameters(given); }
 
 std::unique_ptr<ExactSolution> make_exact(const List& checked) {
   return kind_of(checked).make(checked);

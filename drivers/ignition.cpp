@@ -12,12 +12,16 @@ namespace {
 
 using Doubles = std::vector<double>;
 
-/// The detonation speed of a material; 0 if it is no explosive. [m/s]
+bool has(const List& list, const std::string& name) {
+  const auto present = names(list);
+  return std::find(present.begin(), present.end(), name) != present.end();
+}
+
+/// The detonation speed of a material; 0 if it is nothing to be lit, or products already. [m/s]
 double detonation_speed(const List& material) {
-  const auto present = names(material);
-  const bool explosive =
-      std::find(present.begin(), present.end(), "detonation speed") != present.end();
-  return explosive ? get<double>(material, "detonation speed") : 0;
+  if (!has(material, "detonation speed")) return 0;
+  if (has(material, "burn") && get<std::string>(material, "burn") == "at once") return 0;
+  return get<double>(material, "detonation speed");
 }
 
 template <class G>

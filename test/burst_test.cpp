@@ -149,6 +149,7 @@ TEST(Box, AWallThatFailsEverywhereFailsUniformly) {
   const WallDamage d = wall_damage(box([](double, double) { return true; }), 0, {}, 8);
   EXPECT_NEAR(d.share, 1, 1e-15);
   EXPECT_NEAR(d.spread, 1, 1e-15);
+  EXPECT_EQ(d.length, 1);
   EXPECT_NEAR(d.near_middle, 4 * 8 * 2 / 144., 1e-15);
 }
 
@@ -157,6 +158,7 @@ TEST(Box, AWallThatFailsInOnePartOfAFaceIsLocalised) {
   const WallDamage d = wall_damage(t, 0, {}, 8);
   EXPECT_NEAR(d.share, 2 / 144., 1e-15);
   EXPECT_NEAR(d.spread, 1 / 64., 1e-15);
+  EXPECT_EQ(d.length, 1 / 64.);
   EXPECT_NEAR(d.near_middle, 1, 1e-15);
 }
 
@@ -179,6 +181,7 @@ TEST(Box, AQuarterOfAWallHasTheSameNumbers) {
   EXPECT_NEAR(a.near_middle, b.near_middle, 1e-14);
   EXPECT_NEAR(a.share, b.share, 1e-14);
   EXPECT_NEAR(a.spread, b.spread, 1e-14);
+  EXPECT_NEAR(a.length, b.length, 1e-14);
 }
 
 TEST(Box, AWallThatCannotFailHasNoPlaceOfFailure) {

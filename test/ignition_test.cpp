@@ -9,6 +9,8 @@
 
 #include "core/geometry.hpp"
 #include "drivers/scene.hpp"
+#include "drivers/simulation.hpp"
+#include "test/explosive.hpp"
 #include "test/state.hpp"
 
 namespace brisance {
@@ -126,6 +128,35 @@ TEST(Ignition, RefusesAnExplosiveThatNothingLights) {
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("leaves 'inert' unlit"), std::string::npos);
   }
+}
+
+/// 20 cells of 0.1 along a line, TNT at x < 1, gas in the rest.
+List line_of_tnt(const std::string& burn) {
+  List given = test::scene(1);
+  List tnt = test::tnt();
+  tnt.set("law", "jwl").set("burn", burn);
+  given.sublist("materials").sublist("tnt") = tnt;
+  List& body = given.sublist("bodies").sublist("first");
+  body.set("material", "tnt").set("density", 1630.);
+  body.remove("pressure");
+  body.set("specific energy", 6e9 / 1630);
+  return given;
+}
+
+TEST(Ignition, LightsABarOfTnt) {
+  List given = line_of_tnt("program");
+  EXPECT_THROW(make_simulation(complete_scene(given), nullptr), InputError);
+  List& left = given.sublist("ignition").sublist("sources").sublist("left");
+  left.set("point", array_of({0})).set("delay", 1e-5);
+  const auto table = make_simulation(complete_scene(given), nullptr)->snapshot().table;
+  const auto* lit = table.field("lighting time");
+  ASSERT_NE(lit, nullptr);
+  for (std::size_t k = 0; k < table.size(); ++k)
+    EXPECT_NEAR((*lit)[k], table.x[k] < 1 ? 1e-5 + table.x[k] / 6930 : 0, 1e-18);
+}
+
+TEST(Ignition, IsNothingToProductsFromTheStart) {
+  EXPECT_NO_THROW(make_simulation(complete_scene(line_of_tnt("at once")), nullptr));
 }
 
 TEST(Ignition, BelongsToTheSceneAndIsCheckedThere) {
