@@ -46,10 +46,7 @@ void keep_ids(Archive& archive, const Array<std::int64_t>& id, int count) {
 }
 
 template <class G>
-void keep_group(Archive& archive, Group<G>& group) {
-  const Archive::Part part(archive, "material " + group.label);
-  Particles<G>& p = group.particles;
-  archive.keep("floors", group.floors);
+void keep_particles(Archive& archive, Particles<G>& p) {
   archive.keep("count", p.count);
   expect(p.count >= 0, "number of particles");
   if (archive.reading()) p.reserve(p.count);
@@ -57,6 +54,37 @@ void keep_group(Archive& archive, Group<G>& group) {
   p.each_column([&](const char* name, Table<double>& column, bool carried) {
     if (carried) keep_column(archive, name, column, p.count);
   });
+}
+
+template <class G>
+void keep_vector(Archive& archive, const std::string& name, Vec<G::dim>& vector) {
+  Archive::Doubles values(vector.a, vector.a + G::dim);
+  archive.keep(name, values);
+  expect(values.size() == G::dim, "number of directions");
+  std::copy(values.begin(), values.end(), vector.a);
+}
+
+void keep_cells(Archive& archive, const std::string& name, const Array<int>& cells) {
+  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), cells);
+  Archive::Integers values(host.data(), host.data() + host.extent(0));
+  archive.keep(name, values);
+  expect(values.size() == host.extent(0), "number of cells");
+  for (std::size_t c = 0; c < values.size(); ++c) host(c) = static_cast<int>(values[c]);
+  Kokkos::deep_copy(cells, host);
+}
+
+template <class G>
+void keep_sleep(Archive& archive, Sleep<G>& sleep, Sorter<G>& sorter) {
+  const Archive::Part part(archive, "sleep");
+  sleep.each_part([&](const Group<G>& group, Particles<G>& points) {
+    const Archive::Part of_group(archive, "material " + group.label);
+    keep_particles(archive, points);
+  });
+  keep_cells(archive, "cells asleep", sleep.asleep());
+  keep_cells(archive, "cells disturbed", sleep.disturbed());
+  Vec<G::dim> impulse = sleep.impulse();
+  keep_vector<G>(archive, "impulse", impulse);
+  if (archive.reading()) sleep.resume(impulse, sorter);
 }
 
 }  // namespace
@@ -90,10 +118,7 @@ void keep(Archive& archive, State<G>& state) {
   archive.keep("next id", state.next_id);
   archive.keep("left", state.left);
   keep(archive, "outflow", state.outflow);
-  Archive::Doubles impulse(state.wall_impulse.a, state.wall_impulse.a + G::dim);
-  archive.keep("wall impulse", impulse);
-  expect(impulse.size() == G::dim, "number of directions");
-  std::copy(impulse.begin(), impulse.end(), state.wall_impulse.a);
+  keep_vector<G>(archive, "wall impulse", state.wall_impulse);
 
   if (!state.springs.empty()) {
     Archive::Doubles displacements = state.springs.displacements();
@@ -111,12 +136,17 @@ void keep(Archive& archive, State<G>& state) {
     Kokkos::deep_copy(state.debt, host);
   }
   for (auto& group : state.groups) {
-    keep_group(archive, *group);
+    {
+      const Archive::Part part(archive, "material " + group->label);
+      archive.keep("floors", group->floors);
+      keep_particles(archive, group->particles);
+    }
     // Particles are in the order of their bins already, which a stable sort keeps: this finds where
     // each bin begins.
     if (archive.reading())
       state.sorter.sort(group->particles, *group->transfer, state.grid.lattice);
   }
+  if (state.sleep.on()) keep_sleep(archive, state.sleep, state.sorter);
 }
 
 template void keep<Line>(Archive&, State<Line>&);

@@ -3,6 +3,7 @@
 #include <Teuchos_ParameterList.hpp>
 #include <chrono>
 #include <csignal>
+#include <cstdio>
 #include <ctime>
 #include <optional>
 
@@ -80,9 +81,12 @@ RunResult run(const List& scene, const RunOptions& options) {
   shown.end = end;
   shown.quiet = options.quiet;
   if (results) shown.log = options.folder / "log.txt";
+  const auto awake = [&] {
+    const auto sleeping = simulation->sleeping();
+    return simulation->particle_count() - (sleeping ? sleeping->particles : 0);
+  };
   const auto standing = [&] {
-    return Standing{simulation->time(), simulation->dt(), simulation->step_count(),
-                    simulation->particle_count()};
+    return Standing{simulation->time(), simulation->dt(), simulation->step_count(), awake()};
   };
 
   const double interval = get<double>(scene.sublist("output"), "interval");
@@ -91,6 +95,7 @@ RunResult run(const List& scene, const RunOptions& options) {
   Cadence history(results && between > 0 ? between : 2 * end);
   RunResult result;
   Outcome& outcome = result.outcome;
+  double slept = 0;  // particle-steps
   const bool recorded = exact && exact->records();
 
   // All that outlives a step, in either direction.
@@ -109,6 +114,7 @@ RunResult run(const List& scene, const RunOptions& options) {
     archive.keep("wall seconds", outcome.wall_seconds);
     archive.keep("cpu seconds", outcome.cpu_seconds);
     archive.keep("particle steps", outcome.particle_steps);
+    archive.keep("slept", slept);
   };
   if (options.resume) {
     keep(*options.resume);
@@ -161,12 +167,12 @@ RunResult run(const List& scene, const RunOptions& options) {
     simulation->advance(end);
     if (gauges) gauges->observe(*simulation);
     if (recorded) exact->record(simulation->balance());
-    outcome.particle_steps += static_cast<double>(simulation->particle_count());
+    outcome.particle_steps += static_cast<double>(awake());
+    slept += static_cast<double>(simulation->particle_count() - awake());
     progress.update(standing());
     if (simulation->time() >= end) break;
     output_if_due();
-    if (checkpoints && checkpoints->due(simulation->step_count(), simulation->time()))
-      save();
+    if (checkpoints && checkpoints->due(simulation->step_count(), simulation->time())) save();
   }
   outcome.status = simulation->time() < end ? "interrupted" : "finished";
   // Before the last output, which a run that goes on from here must not find twice.
@@ -176,6 +182,13 @@ RunResult run(const List& scene, const RunOptions& options) {
     save();
   spend();
   progress.finish(standing());
+  if (const auto sleeping = simulation->sleeping()) {
+    result.outcome.asleep = {slept, sleeping->impulse};
+    char text[60];
+    std::snprintf(text, sizeof text, "asleep: %.3g %% of particle-steps saved",
+                  100 * result.outcome.share_asleep());
+    progress.note(text);
+  }
 
   result.end = simulation->balance();
   if (result.end.left > 0) progress.note(ledger.departures(result.end));
