@@ -163,6 +163,26 @@ TEST(Restart, IsExactAfterParticlesHaveBeenSplit) {
   expect_same_from_everywhere("split", scene);
 }
 
+TEST(Restart, IsExactWhileGasSleepsAndWakes) {
+  const List scene = load_scene({input("sod"),
+                                 {},
+                                 {"time/end=0.1", "grid/cells={100}", "grid/cell size=0.01",
+                                  "scheme/sleep=true", "checkpoint/steps=17",
+                                  "checkpoint/keep=1000"}});
+  const Folder folder("asleep");
+  run_into(folder.path, scene);
+  const auto asleep = [](const fs::path& file) {
+    Checkpoint read = read_checkpoint(file);
+    const auto& cells = std::get<Archive::Integers>(
+        read.archive.entries().at("state/sleep/cells asleep").data);
+    return std::count(cells.begin(), cells.end(), 1);
+  };
+  const auto checkpoints = checkpoints_in(folder.path);
+  EXPECT_GT(asleep(checkpoints.front()), 0);
+  EXPECT_LT(asleep(checkpoints.back()), asleep(checkpoints.front()));
+  expect_same_from_everywhere("asleep", scene);
+}
+
 TEST(Restart, IsNotSeenInARunThatWritesCheckpoints) {
   const Folder with("with"), without("without");
   const List scene = shortened("gauges", 40, 3);
