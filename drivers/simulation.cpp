@@ -7,6 +7,7 @@
 #include "core/geometry.hpp"
 #include "core/step.hpp"
 #include "drivers/bodies.hpp"
+#include "drivers/budget.hpp"
 #include "drivers/ignition.hpp"
 #include "drivers/probe.hpp"
 #include "drivers/springs.hpp"
@@ -62,6 +63,8 @@ class SimulationIn final : public Simulation {
     prepare(state_);
     fastest_ = begin_step(state_, others_);
     dt_ = stable_step();
+    const Balance start = balance();
+    check_start(scene, dt_, fastest_, start.totals.mass, start.totals.total());
   }
 
   double time() const override { return state_.time; }
@@ -269,6 +272,7 @@ class SimulationIn final : public Simulation {
 }  // namespace
 
 std::unique_ptr<Simulation> make_simulation(const List& scene, const ExactSolution* exact) {
+  check_grid_memory(scene, available_memory());
   if (get<std::string>(scene, "geometry") == "line")
     return std::make_unique<SimulationIn<Line>>(scene, exact);
   return std::make_unique<SimulationIn<PlaneStrain>>(scene, exact);
