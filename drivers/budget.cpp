@@ -73,8 +73,7 @@ void check_start(const List& scene, double dt, double fastest, double mass, doub
       fastest < 1e299 && dt > 0 && mass > 0 && std::isfinite(mass) && std::isfinite(energy);
   if (!finite)
     refuse(scene.sublist("bodies"), "",
-           "have a mass, an energy or a speed of sound that is no number: values are too large or "
-           "too small");
+           "has values too large or too small: mass, energy or speed of sound is no number");
   const List& time = scene.sublist("time");
   const double steps = get<double>(time, "end") / dt;
   if (steps <= most_steps) return;

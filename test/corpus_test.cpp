@@ -60,12 +60,20 @@ std::vector<std::string> scenes() {
   return files;
 }
 
+/// The same on every machine, another for each scene (FNV-1a).
+unsigned seed_of(const std::string& file) {
+  unsigned seed = 2166136261U;
+  for (const char c : fs::path(file).stem().string())
+    seed = (seed ^ static_cast<unsigned char>(c)) * 16777619U;
+  return seed;
+}
+
 class MutationsOf : public testing::TestWithParam<std::string> {};
 
 TEST_P(MutationsOf, AreEachToldInOneLine) {
   const Folder folder("corpus_" + fs::path(GetParam()).stem().string());
-  const auto all = test::mutations(read_file(GetParam()), 1);
-  EXPECT_GT(all.size(), 200u);
+  const auto all = test::mutations(read_file(GetParam()), seed_of(GetParam()));
+  EXPECT_GT(all.size(), 80u);
   for (const Broken& broken : all) expect_one_line(broken, folder.path / "a.xml");
 }
 

@@ -12,7 +12,8 @@ namespace {
 struct Element {
   std::size_t begin, end;
   std::string name, type, value;
-  int level = 0;  // lists around it
+  std::string within{};  // the list around it
+  int level = 0;       // lists around it
   bool list = false, closing = false;
 };
 
@@ -25,7 +26,7 @@ std::string attribute(const std::string& tag, const std::string& key) {
 
 std::vector<Element> elements_of(const std::string& text) {
   std::vector<Element> all;
-  int level = 0;
+  std::vector<std::string> open;
   for (std::size_t at = text.find('<'); at != text.npos; at = text.find('<', at + 1)) {
     if (text.compare(at, 4, "<!--") == 0) {
       at = text.find("-->", at);
@@ -36,9 +37,10 @@ std::vector<Element> elements_of(const std::string& text) {
     Element e{at, end, attribute(tag, "name"), attribute(tag, "type"), attribute(tag, "value")};
     e.list = tag.find("ParameterList") != tag.npos;
     e.closing = tag[1] == '/';
-    if (e.closing) --level;
-    e.level = level;
-    if (e.list && !e.closing) ++level;
+    if (e.closing) open.pop_back();
+    e.level = static_cast<int>(open.size());
+    e.within = open.empty() ? "" : open.back();
+    if (e.list && !e.closing) open.push_back(e.name);
     all.push_back(e);
   }
   return all;
@@ -60,7 +62,7 @@ class Mutator {
   }
 
  private:
-  static constexpr int places = 3;  // of each mutation
+  static constexpr int places = 1;  // of each mutation; there are many scenes
 
   const std::string& scene_;
   const std::vector<Element> all_;
@@ -196,16 +198,20 @@ class Mutator {
     const auto named = [](const char* name) {
       return [=](const Element& e) { return e.name == name; };
     };
+    const auto of_grid = [](const Element& e) {
+      return e.name == "cell size" && e.within == "grid";
+    };
     value("a thousand particles", named("particles per cell"), "1000");
     value(
         "integer of 64 bits", [](const Element& e) { return e.type == "int"; }, "4294967299");
     value(
-        "cells without memory", [](const Element& e) { return e.name == "cells" && e.level == 2; },
+        "cells without memory",
+        [](const Element& e) { return e.name == "cells" && e.within == "grid"; },
         "{2147483647, 2147483647}");
-    value("cells of no size", named("cell size"), "1e-300");
-    value("cells of all size", named("cell size"), "1e300");
+    value("cells of no size", of_grid, "1e-300");
+    value("cells of all size", of_grid, "1e300");
     value(
-        "run without end", [](const Element& e) { return e.name == "end" && e.level == 2; },
+        "run without end", [](const Element& e) { return e.name == "end" && e.within == "time"; },
         "1e300", true);
     value("Courant number of 2", named("CFL"), "2");
     value("interval of nothing", named("interval"), "1e-300");
