@@ -54,7 +54,7 @@ class Relaxation {
 
   /// s_i = sum N V / V_i should be 1. Scratch 0 <- s at the particle; scratch 1 <- how much of its
   /// neighbourhood is not full (s_i < 0.7), where nothing is corrected.
-  void volume(double rate) {
+  void volume(double rate, const Table<double>& asleep) {
     sums.clear();
     for (auto& g : groups)
       g->transfer->scatter_mean(g->particles, grid.lattice, Entry{g->particles.volume, 0},
@@ -64,9 +64,11 @@ class Relaxation {
     const auto total = sums.total;
     const auto lattice = grid.lattice;
     const auto boundaries = grid.boundaries;
+    const bool any_sleeps = asleep.extent(0) > 0;
     Kokkos::parallel_for(
         "fullness", Kokkos::RangePolicy<Space>(0, lattice.size), KOKKOS_LAMBDA(const int n) {
-          const double s = total(n, 1) / boundaries.nodal_volume(lattice, n);
+          const double here = total(n, 1) + (any_sleeps ? asleep(n, 0) : 0);
+          const double s = here / boundaries.nodal_volume(lattice, n);
           total(n, 0) = s;
           total(n, 1) = s < 0.7 ? 1 : 0;
         });
@@ -99,17 +101,17 @@ class Relaxation {
 
 template <class G>
 void relax(std::vector<std::unique_ptr<Group<G>>>& groups, const Grid<G>& grid, Accumulator& sums,
-           const RelaxationRates& rates, double dt) {
+           const RelaxationRates& rates, double dt, const Table<double>& asleep) {
   Relaxation<G> relaxation{groups, grid, sums};
-  if (rates.volume > 0) relaxation.volume(rates.volume);
+  if (rates.volume > 0) relaxation.volume(rates.volume, asleep);
   if (rates.pressure > 0) relaxation.pressure(rates.pressure, dt);
   if (rates.heat > 0) relaxation.heat(rates.heat, dt);
 }
 
 template void relax<Line>(std::vector<std::unique_ptr<Group<Line>>>&, const Grid<Line>&,
-                          Accumulator&, const RelaxationRates&, double);
+                          Accumulator&, const RelaxationRates&, double, const Table<double>&);
 template void relax<PlaneStrain>(std::vector<std::unique_ptr<Group<PlaneStrain>>>&,
                                  const Grid<PlaneStrain>&, Accumulator&, const RelaxationRates&,
-                                 double);
+                                 double, const Table<double>&);
 
 }  // namespace brisance

@@ -19,8 +19,9 @@ struct RelaxationRates {
   double heat = 0;      ///< rate in units of the compression rate [-]
 };
 
+/// `asleep`: volume at the nodes of gas that sleeps, if any does. [m^D]
 template <class G>
 void relax(std::vector<std::unique_ptr<Group<G>>>& groups, const Grid<G>& grid, Accumulator& sums,
-           const RelaxationRates& rates, double dt);
+           const RelaxationRates& rates, double dt, const Table<double>& asleep = {});
 
 }  // namespace brisance

@@ -33,7 +33,9 @@ class Step {
     double fastest = 0;
     for (auto& g : s.groups) {
       const Signals here = g->signals(s.grid.lattice.h);
-      g->fastest = {others.max(here.over_grid), others.max(here.in_matter)};
+      const Signals asleep = s.sleep.signals(*g);
+      g->fastest = {others.max(std::max(here.over_grid, asleep.over_grid)),
+                    others.max(std::max(here.in_matter, asleep.in_matter))};
       fastest = std::max(fastest, g->fastest.over_grid);
     }
     return fastest;
@@ -49,8 +51,9 @@ class Step {
                                    dt);
     for (auto& g : s.groups) g->finish(s.grid, dt);
     new_order();
-    if (anything_relaxes()) relax(s.groups, s.grid, s.sums, rates(), dt);
+    if (anything_relaxes()) relax(s.groups, s.grid, s.sums, rates(), dt, s.sleep.volume());
     if (s.scheme.relaxes_stress) relax_stress(s.groups, s.grid, s.means, dt);
+    s.sleep.wake(s.groups, s.sorter);
   }
 
   /// Appendix A of Hu & Chen (2006): the velocities mapped back to the old positions give the
@@ -150,6 +153,7 @@ class Step {
         g->transfer->scatter_cells(g->particles, s.grid.lattice, s.sums);
       else
         g->transfer->scatter_overlap(g->particles, s.grid.lattice, D + 1, s.sums);
+    if (s.sleep.any()) s.sleep.fill(s.sums);
     s.sums.contribute();
     average_cells(s.grid, s.sums);
     if (s.grid.scale.extent(0) > 0) scale_cells(s.grid);
@@ -161,6 +165,7 @@ class Step {
     if (!s.springs.empty()) s.springs.weigh(s.groups, s.grid, s.sums);
     s.sums.clear();
     for (auto& g : s.groups) g->transfer->scatter_force(g->particles, s.grid, g->stress(), s.sums);
+    if (s.sleep.any()) s.sleep.press(s.sums);
     push_walls(collect(D), dt);
     if (!s.springs.empty()) push_walls(s.springs.pull(s.grid, s.sums.total, dt), 1);
     for (std::size_t c = 0; c < s.grid.own.size(); ++c) push_walls(images(s.grid.before, c), 1);
@@ -176,13 +181,16 @@ class Step {
     for (std::size_t c = 0; c < s.grid.own.size(); ++c) push_walls(images(after, c), -1);
   }
 
-  /// Sums of all threads, ranks and mirror images. Returns what walls have stopped.
+  /// Sums of all threads, ranks and mirror images: of forces (D columns), or momentum and mass.
+  /// Returns what walls, and gas that sleeps, have stopped.
   Vec<D> collect(int columns, const Table<double>& image_mass = {}) {
     s.sums.contribute();
     others.sum(s.sums);
     Vec<D> stopped = fold(s.sums.total, D, columns, s.grid.lattice, s.grid.boundaries, image_mass);
     const Vec<D> held = constrain(s.sums.total, s.grid.lattice, s.grid.boundaries);
-    for (int d = 0; d < D; ++d) stopped[d] += held[d];
+    const Vec<D> still = s.sleep.any() ? s.sleep.hold(s.sums.total) : Vec<D>();
+    if (columns == D) s.sleep.note(still, dt);
+    for (int d = 0; d < D; ++d) stopped[d] += held[d] + still[d];
     return stopped;
   }
 

@@ -2,6 +2,7 @@
 // One time step, the algorithm on one screen (step.cpp).
 #include "core/group.hpp"
 #include "core/relaxation.hpp"
+#include "core/sleep.hpp"
 #include "core/sort.hpp"
 #include "core/springs.hpp"
 #include "core/stress_relaxation.hpp"
@@ -40,6 +41,7 @@ struct State {
   Accumulator means;  ///< of stress; empty unless the scheme relaxes it
   Sorter<G> sorter;
   Springs<G> springs;
+  Sleep<G> sleep;
 
   double time = 0;
   long step = 0;
@@ -48,7 +50,8 @@ struct State {
   Array<double> debt;  ///< see Group
   std::vector<Vec<D>>
       stopped;  ///< of each class: nodal momentum that walls took out at the start of the step
-  Vec<D> wall_impulse;  ///< momentum given to walls so far [N s], per metre or square metre
+  Vec<D> wall_impulse;  ///< momentum given to walls, and to gas that sleeps, so far [N s], per
+                        ///< metre or square metre
   Totals outflow;       ///< what left through free ends so far
   long left = 0;        ///< in how many particles
 
@@ -58,8 +61,9 @@ struct State {
         sums(grid_.lattice.size, D + (grid_.mixed() ? 2 : 1)),
         means(scheme_.relaxes_stress ? grid_.lattice.size : 0, 4) {}
 
+  /// Those that sleep included.
   long particles() const {
-    long sum = 0;
+    long sum = sleep.count();
     for (const auto& g : groups) sum += g->particles.count;
     return sum;
   }

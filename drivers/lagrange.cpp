@@ -122,8 +122,11 @@ Lagrangian::Push Lagrangian::push(std::size_t i) {
   const double viscous = jump < 0 ? rho * jump * (quadratic * jump - linear * cell.sound_speed) : 0;
 
   if (layer.law == Layer::Law::explosive) {
+    // By compression only where the front is about to arrive: unlit explosive bears no pressure, so
+    // that what lies beside it would light it in no time.
     const double since = time_ + 0.5 * dt_ - cell.lit,
-                 squeezed = (1 - layer.density / rho) / (1 - cell.cj_volume);
+                 squeezed =
+                     since > -cell.burn_time ? (1 - layer.density / rho) / (1 - cell.cj_volume) : 0;
     cell.burned = std::min(std::max({since / cell.burn_time, squeezed, cell.burned}), 1.);
   }
   const Pressure p = pressure_of(layer, cell.burned, rho);

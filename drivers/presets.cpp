@@ -102,6 +102,8 @@ List valid_scheme(const Preset& p) {
           "share of their heat that particles exchange per unit of compression [-]");
   declare(valid, "split length", p.split_length, at_least_zero(),
           "particles of fluids longer than this are split; 0: never [cells]");
+  declare(valid, "sleep", false, anything(),
+          "whether gas at rest that no wave has reached yet is left out of the steps [-]");
   declare_list(valid, "artificial viscosity", "what gives shocks a width") =
       valid_shock_viscosity(p);
   return valid;

@@ -97,6 +97,21 @@ bool counts(const State<G>& state, std::size_t g, const Window& window, bool flu
   return state.groups[g]->fluid() == fluid;
 }
 
+template <class G>
+void look(const Group<G>& group, const Grid<G>& grid, const Array<Look<G::dim>>& looks,
+          const Array<Sum<G::dim>>& sums) {
+  if (group.particles.count == 0) return;
+  const Array<double> pressure("pressure", group.particles.count);
+  const Array<double> energy("energy", group.particles.count);
+  group.report(pressure, energy);
+  const Eye<G> eye{group.particles, pressure, grid.lattice, grid.boundaries};
+  Kokkos::parallel_for(
+      "look", Kokkos::RangePolicy<Space>(0, static_cast<int>(looks.extent(0))),
+      KOKKOS_LAMBDA(const int k) {
+        if (looks(k).looks) eye(looks(k), sums(k));
+      });
+}
+
 /// Sums over the fluids, or the solids, that count for each window.
 template <class G>
 std::vector<Sum<G::dim>> sums_over(const State<G>& state, const std::vector<Window>& windows,
@@ -107,7 +122,7 @@ std::vector<Sum<G::dim>> sums_over(const State<G>& state, const std::vector<Wind
   const Array<Sum<D>> sums("seen in windows", count);
   const auto host = Kokkos::create_mirror_view(looks);
   for (std::size_t g = 0; g < state.groups.size(); ++g) {
-    const Group<G>& group = *state.groups[g];
+    Group<G>& group = *state.groups[g];
     if (group.fluid() != fluid) continue;
     bool any = false;
     for (std::size_t k = 0; k < count; ++k) {
@@ -116,16 +131,9 @@ std::vector<Sum<G::dim>> sums_over(const State<G>& state, const std::vector<Wind
       host(k).looks = counts(state, g, windows[k], fluid);
       any = any || host(k).looks;
     }
-    if (!any || group.particles.count == 0) continue;
+    if (!any) continue;
     Kokkos::deep_copy(looks, host);
-    const Array<double> pressure("pressure", group.particles.count);
-    const Array<double> energy("energy", group.particles.count);
-    group.report(pressure, energy);
-    const Eye<G> eye{group.particles, pressure, state.grid.lattice, state.grid.boundaries};
-    Kokkos::parallel_for(
-        "look", Kokkos::RangePolicy<Space>(0, static_cast<int>(count)), KOKKOS_LAMBDA(const int k) {
-          if (looks(k).looks) eye(looks(k), sums(k));
-        });
+    state.sleep.for_all(group, [&] { look(group, state.grid, looks, sums); });
   }
   const auto seen = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), sums);
   return {seen.data(), seen.data() + count};

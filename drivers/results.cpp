@@ -143,6 +143,10 @@ void Results::write_summary(const Outcome& outcome, const Ledger& ledger, const 
   j["wall_seconds"] = json(outcome.wall_seconds);
   j["cpu_seconds"] = json(outcome.cpu_seconds);
   j["particle_steps_per_second"] = json(outcome.particle_steps / outcome.wall_seconds);
+  if (outcome.asleep) {
+    j["asleep"] = json(outcome.share_asleep());
+    j["asleep_impulse"] = json(outcome.asleep->impulse);
+  }
   j["mass_error"] = json(ledger.mass_error(b));
   j["momentum_error"] = json(ledger.momentum_error(b));
   j["energy_error"] = json(ledger.energy_error(b));

@@ -1,6 +1,8 @@
 #pragma once
 // The folder of a run: what people open afterwards.
+#include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,8 +19,19 @@ namespace brisance {
 struct Outcome {
   std::string status;  ///< "finished", "interrupted"
   double wall_seconds = 0, cpu_seconds = 0, particle_steps = 0;
+  /// Where the scene lets gas sleep.
+  struct Asleep {
+    double particle_steps = 0;  ///< that were not computed
+    double impulse = 0;         ///< see Simulation::Sleeping [N s]
+  };
+  std::optional<Asleep> asleep;
   std::vector<Measure> measures;
   std::vector<Verdict> verdicts;
+
+  /// Of all particle-steps. [-]
+  double share_asleep() const {
+    return asleep->particle_steps / std::max(1.0, asleep->particle_steps + particle_steps);
+  }
 };
 
 /// Writes into one folder; all failures throw std::runtime_error with one line.

@@ -3,6 +3,7 @@
 #include <Teuchos_ParameterList.hpp>
 #include <chrono>
 #include <csignal>
+#include <cstdio>
 #include <ctime>
 #include <optional>
 
@@ -58,9 +59,12 @@ RunResult run(const List& scene, const RunOptions& options) {
   shown.quiet = options.quiet;
   if (results) shown.log = options.folder / "log.txt";
   Progress progress(shown);
+  const auto awake = [&] {
+    const auto sleeping = simulation->sleeping();
+    return simulation->particle_count() - (sleeping ? sleeping->particles : 0);
+  };
   const auto standing = [&] {
-    return Standing{simulation->time(), simulation->dt(), simulation->step_count(),
-                    simulation->particle_count()};
+    return Standing{simulation->time(), simulation->dt(), simulation->step_count(), awake()};
   };
 
   if (gauges) gauges->observe(*simulation);
@@ -72,13 +76,15 @@ RunResult run(const List& scene, const RunOptions& options) {
   const double between = get<double>(scene.sublist("output"), "history interval");
   Cadence history(results && between > 0 ? between : 2 * end);
   RunResult result;
+  double slept = 0;  // particle-steps
   const auto started = std::chrono::steady_clock::now();
   const double cpu = cpu_seconds();
   while (simulation->time() < end && !stop_requested) {
     simulation->advance(end);
     if (gauges) gauges->observe(*simulation);
     if (recorded) exact->record(simulation->balance());
-    result.outcome.particle_steps += static_cast<double>(simulation->particle_count());
+    result.outcome.particle_steps += static_cast<double>(awake());
+    slept += static_cast<double>(simulation->particle_count() - awake());
     progress.update(standing());
     if (simulation->time() >= end) break;
     const bool noted = history.due(simulation->time());
@@ -92,6 +98,13 @@ RunResult run(const List& scene, const RunOptions& options) {
   result.outcome.cpu_seconds = cpu_seconds() - cpu;
   result.outcome.status = simulation->time() < end ? "interrupted" : "finished";
   progress.finish(standing());
+  if (const auto sleeping = simulation->sleeping()) {
+    result.outcome.asleep = {slept, sleeping->impulse};
+    char text[60];
+    std::snprintf(text, sizeof text, "asleep: %.3g %% of particle-steps saved",
+                  100 * result.outcome.share_asleep());
+    progress.note(text);
+  }
 
   result.end = simulation->balance();
   if (result.end.left > 0) progress.note(ledger.departures(result.end));

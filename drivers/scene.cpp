@@ -14,6 +14,7 @@
 #include "drivers/plausible.hpp"
 #include "drivers/presets.hpp"
 #include "drivers/shapes.hpp"
+#include "drivers/sleep.hpp"
 #include "drivers/springs.hpp"
 #include "drivers/watch.hpp"
 #include "materials/registry.hpp"
@@ -225,6 +226,7 @@ void check_scheme(const List& scene) {
   check_transfer(scheme, get<std::string>(scheme, "quadrature"), midpoint);
   if (const List* solids = find_list(scheme, "solids"))
     check_transfer(*solids, "particle", midpoint);
+  check_sleep(scheme);
   if (midpoint) return;
   for (const char* name : {"volume relaxation", "pressure relaxation", "heat conduction"})
     if (get<double>(scheme, name) > 0)

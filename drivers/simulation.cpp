@@ -2,6 +2,7 @@
 
 #include <Teuchos_ParameterList.hpp>
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "core/geometry.hpp"
@@ -10,6 +11,7 @@
 #include "drivers/budget.hpp"
 #include "drivers/ignition.hpp"
 #include "drivers/probe.hpp"
+#include "drivers/sleep.hpp"
 #include "drivers/springs.hpp"
 #include "materials/registry.hpp"
 
@@ -61,6 +63,7 @@ class SimulationIn final : public Simulation {
     seed(state_, scene, exact);
     set_lighting_times(state_, scene);
     prepare(state_);
+    put_to_sleep(state_, scene);
     fastest_ = begin_step(state_, others_);
     dt_ = stable_step();
     const Balance start = balance();
@@ -71,6 +74,11 @@ class SimulationIn final : public Simulation {
   double dt() const override { return dt_; }
   long step_count() const override { return state_.step; }
   long particle_count() const override { return state_.particles(); }
+  std::optional<Sleeping> sleeping() const override {
+    if (!state_.sleep.on()) return {};
+    return Sleeping{state_.sleep.count(),
+                    std::sqrt(dot(state_.sleep.impulse(), state_.sleep.impulse()))};
+  }
 
   void advance(double end) override {
     if (state_.step > 0) fastest_ = begin_step(state_, others_);
@@ -97,8 +105,11 @@ class SimulationIn final : public Simulation {
     if (!state_.springs.empty()) b.springs = state_.springs.energy();
     for (int d = 0; d < D; ++d) b.wall_impulse[d] = state_.wall_impulse[d];
     for (const auto& g : state_.groups) {
-      const Totals of_group =
-          g->totals(0, g->particles.count, g->transfer->affine_inertia(state_.grid.lattice.h));
+      Totals of_group;
+      state_.sleep.for_all(*g, [&] {
+        of_group +=
+            g->totals(0, g->particles.count, g->transfer->affine_inertia(state_.grid.lattice.h));
+      });
       b.totals += of_group;
       b.materials.push_back({g->label, !g->fluid(), of_group});
       b.floors += g->floors;
@@ -118,7 +129,8 @@ class SimulationIn final : public Simulation {
       t.cells[d] = state_.grid.lattice.cells[d];
     }
     for (std::size_t g = 0; g < state_.groups.size(); ++g)
-      copy(*state_.groups[g], static_cast<int>(g), shot);
+      state_.sleep.for_all(*state_.groups[g],
+                           [&] { copy(*state_.groups[g], static_cast<int>(g), shot); });
     return shot;
   }
 
@@ -127,17 +139,18 @@ class SimulationIn final : public Simulation {
     std::map<std::string, double> bytes;
     for (const auto& g : state_.groups) {
       Particles<G> p = g->particles;
-      f.particles += p.count;
+      const long count = p.count + state_.sleep.count(*g);
+      f.particles += static_cast<double>(count);
       p.each_column([&](const char* name, const Table<double>& c, bool) {
-        bytes[name] += static_cast<double>(p.count * c.extent(1) * sizeof(double));
+        bytes[name] += static_cast<double>(count * c.extent(1) * sizeof(double));
       });
-      bytes["id"] += static_cast<double>(p.count * sizeof(std::int64_t));
+      bytes["id"] += static_cast<double>(count * sizeof(std::int64_t));
     }
     for (const auto& [name, sum] : bytes) f.columns.push_back({name, sum / f.particles});
     f.cells = 1;
     for (int d = 0; d < D; ++d) f.cells *= state_.grid.lattice.cells[d];
-    f.grid_bytes =
-        static_cast<double>(state_.grid.bytes() + state_.sums.bytes() + state_.means.bytes());
+    f.grid_bytes = static_cast<double>(state_.grid.bytes() + state_.sums.bytes() +
+                                       state_.means.bytes() + state_.sleep.bytes());
     f.sort_bytes = static_cast<double>(state_.sorter.bytes());
     return f;
   }

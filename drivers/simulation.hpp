@@ -1,6 +1,7 @@
 #pragma once
 // A scene set up and ready to step, whatever its geometry.
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,7 +37,14 @@ class Simulation {
   virtual double time() const = 0;  // [s]
   virtual double dt() const = 0;    // of the last step, or of the first to come [s]
   virtual long step_count() const = 0;
+  /// Those that sleep included.
   virtual long particle_count() const = 0;
+  /// What sleeps, where the scene lets gas sleep.
+  struct Sleeping {
+    long particles = 0;
+    double impulse = 0;  ///< size of the momentum that it has taken so far [N s]
+  };
+  virtual std::optional<Sleeping> sleeping() const { return {}; }
 
   /// One step, which does not go beyond `end`. Throws std::runtime_error when the state is no
   /// longer finite.

@@ -78,8 +78,7 @@ TEST_P(DetonationSlow, HasFrontFanAndPlateauOfTaylor) {
 INSTANTIATE_TEST_SUITE_P(Rows, DetonationSlow, testing::Values(Row{1}, Row{2}, Row{3}, Row{2, 0.4}),
                          [](const auto& row) { return row.param.name(); });
 
-// The same share of the way after twice as many cells: at 5, 10 and 14 microseconds the front of
-// half as many cells has passed as many as that of the whole at 2.5, 5 and 7.
+// Errors of the peak and of the fan fall with the cell: an order near 1 and of two thirds.
 TEST(DetonationSlow, OnHalfAsManyCellsLosesTwiceAsMuchOfItsPeak) {
   Slab coarse(Row{2, 0.8, 1000}), fine(Row{2, 0.8, 2000});
   const auto a = coarse.at(14e-6), b = fine.at(14e-6);

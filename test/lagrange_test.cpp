@@ -164,6 +164,33 @@ TEST(Lagrangian, ThrowsAPlateOfSteel) {
   EXPECT_NEAR(plate.energy_error(), 0, 1e-13);
 }
 
+TEST(Lagrangian, ConvergesToOneVelocityOfAPlate) {
+  std::vector<double> velocity;
+  for (const double cell : {1.25e-3, 0.625e-3, 0.3125e-3}) {
+    Lagrangian::Data data;
+    data.layers = {tnt(0.1), steel(0.025), air(0.275)};
+    data.cell_size = cell;
+    Lagrangian plate(data);
+    plate.advance_to(100e-6);
+    velocity.push_back(plate.mean_velocity(1));
+  }
+  EXPECT_LT(std::fabs(velocity[2] - velocity[1]), 0.8 * std::fabs(velocity[1] - velocity[0]));
+}
+
+// Unlit explosive bears no pressure: what the air does to the plate must not light it.
+TEST(Lagrangian, LightsNothingAheadOfTheFront) {
+  Lagrangian::Data data;
+  data.layers = {tnt(0.1), steel(0.025), air(0.275)};
+  data.cell_size = 0.1 / 1280;
+  Lagrangian plate(data);
+  plate.advance_to(1e-5);
+  const double front = 6930 * 1e-5 + 5 * data.cell_size;
+  for (std::size_t i = 0; i < 1280; ++i)
+    if (plate.centre(i) > front) {
+      EXPECT_EQ(plate.cells()[i].burned, 0);
+    }
+}
+
 TEST(Lagrangian, ThrowsARingOfSteelAndHasBlastsAboutAnAxis) {
   const Arrival cased = arrival({tnt(0.1), steel(0.025), air(0.525)});
   EXPECT_NEAR(cased.velocity / 1327, 1, 2e-3);
