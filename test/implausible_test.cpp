@@ -6,6 +6,8 @@
 #include <limits>
 
 #include "drivers/budget.hpp"
+#include "drivers/input.hpp"
+#include "drivers/locations.hpp"
 #include "drivers/scene.hpp"
 #include "drivers/simulation.hpp"
 #include "test/state.hpp"
@@ -193,6 +195,12 @@ TEST(Checks, WhoseRangeIsEmptyAreRefused) {
               "list 'checks/mass error', parameter 'least' = 1e-12: must not be above 'most'");
   given.sublist("checks").sublist("mass error").set("most", 1e-12);
   EXPECT_EQ(wrong(given), "");
+}
+
+TEST(ReferenceOfLayers, OfTooManyCellsIsRefused) {
+  List given = *read_input((data_folder() / "inputs/plate_push.xml").string()).list;
+  given.sublist("exact").set("cell size", 1e-300);
+  expect_told(given, "cuts the layers into more than 1e6 cells");
 }
 
 TEST(Interval, MayBeLongerThanTheRunButNotNothing) {
