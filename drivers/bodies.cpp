@@ -6,6 +6,8 @@
 #include <map>
 
 #include "core/geometry.hpp"
+#include "drivers/body_checks.hpp"
+#include "drivers/budget.hpp"
 
 namespace brisance {
 
@@ -94,8 +96,18 @@ class Seeder {
   Seeder(State<G>& state_, const List& scene, const ExactSolution* exact_)
       : state(state_), bodies(scene), exact(exact_) {
     counts.assign(bodies.all().size(), 0);
+    Overlaps overlaps(scene, bodies);
     for (const Body& body : bodies.all())
-      if (owners.count(body.per_cell) == 0) ask(body.per_cell);
+      if (owners.count(body.per_cell) == 0) ask(body.per_cell, overlaps);
+    overlaps.check();
+    const auto names = list_names(scene.sublist("bodies"));
+    double all = 0;
+    for (std::size_t b = 0; b < counts.size(); ++b) {
+      if (counts[b] == 0)
+        refuse(scene.sublist("bodies").sublist(names[b]), "", why_empty(bodies.all()[b]));
+      all += static_cast<double>(counts[b]);
+    }
+    check_particle_memory(scene, all, available_memory());
   }
 
   /// Room for all particles of the group, and the particles body by body.
@@ -120,7 +132,19 @@ class Seeder {
   std::map<int, std::vector<int>> owners;
   std::vector<long> counts;  ///< particles of each body
 
-  void ask(int per_cell) {
+  std::string why_empty(const Body& body) const {
+    const Sites<D> sites(state.grid.lattice, body.per_cell);
+    bool held = false;
+    for (long c = 0; c < sites.cells() && !held; ++c)
+      sites.each(c, [&](const Place& x, const Place& centre) {
+        held = held || body.shape.holds(body.by_points ? x : centre);
+      });
+    if (held) return "holds no particles: earlier bodies own all of its places";
+    return std::string("holds no particles: no ") +
+           (body.by_points ? "place for one" : "cell's centre") + " lies in it";
+  }
+
+  void ask(int per_cell, Overlaps& overlaps) {
     const Sites<D> sites(state.grid.lattice, per_cell);
     std::vector<int>& owner = owners[per_cell];
     owner.reserve(static_cast<std::size_t>(sites.cells()) * sites.in_cell());
@@ -128,7 +152,10 @@ class Seeder {
       sites.each(c, [&](const Place& x, const Place& centre) {
         int b = bodies.owner(x, centre);
         if (b >= 0 && bodies.all()[b].per_cell != per_cell) b = -1;
-        if (b >= 0) ++counts[b];
+        if (b >= 0) {
+          ++counts[b];
+          overlaps.add(b, x);
+        }
         owner.push_back(b);
       });
   }
@@ -190,8 +217,6 @@ void seed(State<G>& state, const List& scene, const ExactSolution* exact) {
   needs.relaxation = rates.pressure > 0 || rates.volume > 0 || rates.heat > 0;
   needs.extent = state.scheme.split_length > 0;
   for (auto& group : state.groups) seeder.fill(*group, needs);
-  if (state.particles() == 0)
-    refuse(scene.sublist("bodies"), "", "hold no particles: no cell's centre lies in a body");
 }
 
 template void seed<Line>(State<Line>&, const List&, const ExactSolution*);

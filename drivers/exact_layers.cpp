@@ -65,6 +65,10 @@ Layers::Data data_of(const List& list) {
   data.reference.low_wall = get<std::string>(list, "inner end") == "wall";
   data.reference.high_wall = get<std::string>(list, "outer end") == "wall";
   data.reference.cell_size = get<double>(list, "cell size");
+  double cells = 0;
+  for (const Layer& layer : data.reference.layers)
+    cells += layer.thickness / data.reference.cell_size;
+  if (cells > 1e6) refuse(list, "cell size", "cuts the layers into more than 1e6 cells");
   data.origin = place_of(list, "origin");
   if (!data.reference.cylindrical) data.reference.origin = data.origin[0];
   data.plate = get<std::string>(list, "plate");

@@ -12,6 +12,7 @@
 #include "drivers/gauges.hpp"
 #include "drivers/ledger.hpp"
 #include "drivers/lighting.hpp"
+#include "drivers/plausible.hpp"
 #include "drivers/presets.hpp"
 #include "drivers/shapes.hpp"
 #include "drivers/sleep.hpp"
@@ -106,6 +107,10 @@ List valid_body(const List& given, const List& materials, int dim) {
           "whether it owns single points, or whole cells by their centres [-]");
   declare(valid, "particles per cell", 3, at_least(1) && at_most(16),
           "particles along each direction of a cell [-]");
+  if (solid || explosive)
+    declare(valid, "may overlap", false, anything(),
+            "whether earlier bodies of other solids and explosives may own a part of it without "
+            "lying within it [-]");
   declare(valid, "initial state", "uniform", one_of({"uniform", "exact"}),
           "uniform, or that of the exact solution at time 0 [-]");
   if (peek<std::string>(given, valid, "initial state") == "uniform") {
@@ -313,6 +318,7 @@ List complete_scene(const List& given) {
   if (const List* ignition = find_list(scene, "ignition")) check_ignition(*ignition);
   make_watches(scene);  // each refuses what it cannot watch
   if (find_list(scene, "gauges")) Gauges::check(scene);
+  check_plausible(scene);
   return scene;
 }
 

@@ -9,6 +9,7 @@
 #include "core/step.hpp"
 #include "drivers/archive_state.hpp"
 #include "drivers/bodies.hpp"
+#include "drivers/budget.hpp"
 #include "drivers/ignition.hpp"
 #include "drivers/probe.hpp"
 #include "drivers/sleep.hpp"
@@ -66,6 +67,8 @@ class SimulationIn final : public Simulation {
     put_to_sleep(state_, scene);
     fastest_ = begin_step(state_, others_);
     dt_ = stable_step();
+    const Balance start = balance();
+    check_start(scene, dt_, fastest_, start.totals.mass, start.totals.total());
   }
 
   double time() const override { return state_.time; }
@@ -289,6 +292,7 @@ class SimulationIn final : public Simulation {
 }  // namespace
 
 std::unique_ptr<Simulation> make_simulation(const List& scene, const ExactSolution* exact) {
+  check_grid_memory(scene, available_memory());
   if (get<std::string>(scene, "geometry") == "line")
     return std::make_unique<SimulationIn<Line>>(scene, exact);
   return std::make_unique<SimulationIn<PlaneStrain>>(scene, exact);
