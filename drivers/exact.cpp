@@ -111,7 +111,8 @@ void declare_centre(List& valid, const std::vector<double>& standard) {
 std::array<double, 3> place_of(const List& list, const std::string& name) {
   const auto entries = get<std::vector<double>>(list, name);
   std::array<double, 3> place{};
-  if (entries.size() > place.size()) refuse(list, name, "must have at most 3 entries");
+  if (entries.empty() || entries.size() > place.size())
+    refuse(list, name, "must have 1, 2 or 3 entries");
   std::copy(entries.begin(), entries.end(), place.begin());
   return place;
 }

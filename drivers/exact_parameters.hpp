@@ -21,7 +21,7 @@ int direction_of(const List& list);
 /// "centre", up to three coordinates.
 void declare_centre(List& valid, const std::vector<double>& standard);
 
-/// An array of up to three entries, the missing ones 0. Throws InputError for more.
+/// An array of one to three entries, the missing ones 0. Throws InputError for any other number.
 std::array<double, 3> place_of(const List& list, const std::string& name);
 
 }  // namespace brisance

@@ -72,6 +72,7 @@ class Known final : public Simulation {
     return std::vector<Seen>(windows.size(), {points, points > 0 ? pressure(now) : 0, {}});
   }
   void carry(std::vector<Window>&) override { ++carried; }
+  void keep(Archive&) override {}
 };
 
 /// The record of a gauge over the time 0.1 at `steps` steps.
