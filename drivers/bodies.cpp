@@ -103,8 +103,9 @@ class Seeder {
     const auto names = list_names(scene.sublist("bodies"));
     double all = 0;
     for (std::size_t b = 0; b < counts.size(); ++b) {
-      if (counts[b] == 0)
-        refuse(scene.sublist("bodies").sublist(names[b]), "", why_empty(bodies.all()[b]));
+      const List& list = scene.sublist("bodies").sublist(names[b]);
+      // What has no shape is the rest, of which there may be none.
+      if (counts[b] == 0 && !list_names(list).empty()) refuse(list, "", why_empty(bodies.all()[b]));
       all += static_cast<double>(counts[b]);
     }
     check_particle_memory(scene, all, available_memory());

@@ -148,6 +148,7 @@ TEST(BodyWithoutParticles, IsRefusedAndToldWhy) {
               "list 'bodies/inner' holds no particles: earlier bodies own all of its places");
   expect_told(square({{"speck", disc("gas", 1, 1, 0.01)}, {"rest", body("gas")}}),
               "list 'bodies/speck' holds no particles: no place for one lies in it");
+  EXPECT_EQ(wrong(square({{"all", box("steel", 0, 0, 2, 2)}, {"rest", body("gas")}})), "");
 }
 
 TEST(Steps, WithoutEndAreRefused) {

@@ -13,7 +13,7 @@ struct Element {
   std::size_t begin, end;
   std::string name, type, value;
   std::string within{};  // the list around it
-  int level = 0;       // lists around it
+  int level = 0;         // lists around it
   bool list = false, closing = false;
 };
 
@@ -181,7 +181,9 @@ class Mutator {
         "{0, 0, 0, 0, 0}");
     value(
         "place of none",
-        [&](const Element& e) { return array(e) && of_places.count(e.name) > 0 && e.level > 1; },
+        [&](const Element& e) {
+          return array(e) && of_places.count(e.name) > 0 && e.within != "exact";
+        },
         "{}");
     static const std::set<std::string> positive = {
         "cell size",       "end",          "density",          "gamma", "bulk modulus",
