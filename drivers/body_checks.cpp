@@ -71,7 +71,8 @@ std::string law_of(const List& scene, const std::string& material) {
 }
 
 /// Along one direction. Beyond walls matter has an image, so that a half of what is symmetric is
-/// given by a whole shape. A face farther off than the grid is long stands for one without end.
+/// given by a whole shape. What fills the grid from end to end is cut nowhere, and a face farther
+/// off than the grid is long stands for one without end.
 void check_ends(const List& scene, const List& shape, const Extent& extent, std::size_t d) {
   const List& grid = scene.sublist("grid");
   const double low = get<Doubles>(grid, "origin")[d],
@@ -82,6 +83,7 @@ void check_ends(const List& scene, const List& shape, const Extent& extent, std:
            "has no part within the grid, which along " + std::string(axes[d]) + " is " +
                number(low) + " to " + number(high) + " m");
   const double beyond[] = {low - extent.low[d], extent.high[d] - high};
+  if (beyond[0] > -same && beyond[1] > -same) return;
   for (const int end : {0, 1}) {
     const std::string name = std::string(axes[d]) + (end == 0 ? " low" : " high"),
                       kind = get<std::string>(scene.sublist("boundaries"), name);

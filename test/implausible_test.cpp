@@ -123,8 +123,8 @@ TEST(BodyOutside, InPartIsRefusedWhereNoWallMakesItWhole) {
                 "which is " +
                     std::string(kind));
   }
-  // What fits exactly, and what has no end.
-  List fits = square({{"a", box("steel", 0, 0, 2, 1)}, {"b", box("gas", -1e9, 1, 1e9, 1e9)}});
+  // What fits exactly, what has no end, and what fills the grid from end to end.
+  List fits = square({{"a", box("steel", 0, 0, 2, 1)}, {"b", box("gas", -0.1, 1, 2.1, 1e9)}});
   set_ends(fits, "free");
   EXPECT_EQ(wrong(fits), "");
 }
