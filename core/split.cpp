@@ -34,8 +34,7 @@ int split(Particles<G>& particles, const Lattice<G::dim>& lattice,
   constexpr int D = G::dim;
   const int count = particles.count;
   const Kokkos::RangePolicy<Space> over(0, count);
-  // A thousandth more, so that points that just fill the length do not fall apart when they breathe.
-  const double longest = 0.5005 * length * lattice.h;
+  const double longest = 0.5 * length * lattice.h;
   int added = 0;
   {
     const Cut<G> cut{particles, longest};

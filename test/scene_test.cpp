@@ -28,7 +28,7 @@ std::string wrong(int dim, const std::vector<std::string>& assignments) {
 
 TEST(Scene, IsCompletedByThePresetOfItsGeometry) {
   EXPECT_EQ(get<double>(scene(1).sublist("scheme"), "split length"), 0.5);
-  EXPECT_EQ(get<double>(scene(2).sublist("scheme"), "split length"), 1);
+  EXPECT_EQ(get<double>(scene(2).sublist("scheme"), "split length"), 1.001);
   const List paper = scene(1, {"preset=paper"});
   EXPECT_EQ(get<std::string>(paper.sublist("scheme"), "integration"), "MUSL");
   EXPECT_EQ(get<std::string>(paper.sublist("scheme"), "quadrature"), "particle");
