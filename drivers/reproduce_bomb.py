@@ -26,9 +26,8 @@ def arrival(name):
     """When the shock is at the wall's inner face: what a gauge says, else the first output that shows it."""
     def time(results):
         result = results[name]
-        seen = [m["value"] for key, m in result.measures().items()
-                if key == "mid wall arrival" and m["value"] is not None]
-        return seen[0] if seen else first_pressure(result)
+        seen = result.measures().get("mid wall arrival", {}).get("value")
+        return first_pressure(result) if seen is None else seen
     return time
 
 
