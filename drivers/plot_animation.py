@@ -5,8 +5,9 @@ import shutil
 from matplotlib.animation import FFMpegWriter, PillowWriter
 
 from plot_field import FieldPicture, names_of, nearest
-from plot_files import Missing, is_file
+from plot_files import Missing
 from plot_libraries import np, plt
+from plot_options import is_file
 from plot_run import place, readable_time
 
 SECONDS = 6  # that a film lasts

@@ -1,10 +1,7 @@
 """Reads the files that a run writes: particles, grids, series of them, and tables."""
-import os
 import xml.etree.ElementTree as xml
 
 from plot_libraries import np
-
-FILMS = (".gif", ".mp4")
 
 
 class Missing(Exception):
@@ -84,8 +81,3 @@ def read_csv(path, needed):
     except ValueError:
         raise Missing(f"{path} holds something that is no number") from None
     return complete(dict(zip(names, rows.reshape(-1, len(names)).T)), needed, path)
-
-
-def is_file(out):
-    """Whether a path is meant as one picture."""
-    return os.path.splitext(out)[1].lower() in (".png", ".jpg", ".pdf", ".svg", *FILMS)

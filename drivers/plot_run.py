@@ -2,8 +2,9 @@
 import os
 import xml.etree.ElementTree as xml
 
-from plot_files import Missing, Mistake, complete, is_file, read_csv, read_series, read_vtk
+from plot_files import Missing, Mistake, complete, read_csv, read_series, read_vtk
 from plot_libraries import np, plt
+from plot_options import is_file
 
 UNITS = {"density": "kg/m$^3$", "velocity": "m/s", "pressure": "Pa", "energy": "J/kg"}
 NAMES = {"energy": "specific internal energy"}
