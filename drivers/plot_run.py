@@ -60,6 +60,8 @@ class Run:
 
     def load(self):
         """Reads the particles of the frame asked for, or of the last one."""
+        if not os.path.exists(self.path("particles.pvd")) and os.path.exists(self.path("grid.pvd")):
+            raise Missing(f"'{self.folder}' holds no particles, only grids: --field draws those")
         sets = read_series(self.path("particles.pvd"))
         number = len(sets) - 1 if self.frame is None else self.frame
         if not 0 <= number < len(sets):
