@@ -40,7 +40,10 @@ int verify_command(const std::vector<std::string>& files, const std::string& fol
 int check_command(const SceneRequest& request, int threads);
 int describe_command(const std::string& name);
 int export_command(const std::string& folder, const std::string& csv, double time);
-int plot_command(const std::string& folder);
+/// `words`: folders and options as plot.py takes them, which tells them by --help.
+int plot_command(const std::vector<std::string>& words);
+/// Shows how a run stands until it ends, or once.
+int watch_command(const std::string& folder, bool once);
 
 /// The problems of Hu & Chen (2006) on one page.
 struct ReproduceRequest {

@@ -7,7 +7,6 @@
 
 #include "drivers/commands.hpp"
 #include "drivers/files.hpp"
-#include "drivers/scripts.hpp"
 #include "drivers/vtk.hpp"
 #include "drivers/vtk_read.hpp"
 
@@ -86,11 +85,6 @@ int export_command(const std::string& folder, const std::string& csv, double tim
   file.commit();
   std::printf("%zu particles at t = %.6g s in %s\n", id.values.size(), entry->time, csv.c_str());
   return 0;
-}
-
-int plot_command(const std::string& folder) {
-  require_run(folder);
-  return run_script("plot.py", {folder}) == 0 ? 0 : 1;
 }
 
 }  // namespace brisance

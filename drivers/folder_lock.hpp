@@ -1,6 +1,7 @@
 #pragma once
 // One run at a time in a folder.
 #include <filesystem>
+#include <optional>
 
 namespace brisance {
 
@@ -18,5 +19,9 @@ class FolderLock {
  private:
   int handle_ = -1;
 };
+
+/// Whether a run has the folder now; nothing where that cannot be told: no lock was ever made
+/// there, or the file system knows none.
+std::optional<bool> is_in_use(const std::filesystem::path& folder);
 
 }  // namespace brisance

@@ -87,8 +87,15 @@ int main(int argc, char** argv) {
   export_->add_option("--time", time,
                       "time of the output, the nearest is taken (default: the last) [s]");
 
-  CLI::App* plot = app.add_subcommand("plot", "make pictures of a run");
-  plot->add_option("DIR", folder, "folder of a run")->required();
+  // The script has the options of its own, --help among them.
+  CLI::App* plot = app.add_subcommand("plot", "make pictures of runs");
+  plot->set_help_flag();
+  plot->prefix_command();
+
+  bool once = false;
+  CLI::App* watch = app.add_subcommand("watch", "show how a run stands, until it ends");
+  watch->add_option("DIR", folder, "folder of a run")->required();
+  watch->add_flag("--once", once, "show it once and end");
 
   ReproduceRequest paper;
   CLI::App* reproduce_ = app.add_subcommand(
@@ -114,7 +121,8 @@ int main(int argc, char** argv) {
     if (*check_) status = check_command(scene, threads);
     if (*describe_) status = describe_command(name);
     if (*export_) status = export_command(folder, csv, time);
-    if (*plot) status = plot_command(folder);
+    if (*plot) status = plot_command(plot->remaining());
+    if (*watch) status = watch_command(folder, once);
     if (*reproduce_) status = reproduce_command(paper);
   } catch (const InputError& error) {
     std::fprintf(stderr, "brisance: %s\n", error.what());

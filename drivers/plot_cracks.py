@@ -3,36 +3,42 @@ Hu & Chen (2006)."""
 from matplotlib.colors import ListedColormap
 from mpl_toolkits.axes_grid1 import make_axes_locatable
 
-from plot_run import GREY, INK, RED, np, plt, prefixed
+from plot_columns import Field
+from plot_libraries import np, plt
+from plot_panels import BACKGROUND, common_limits
+from plot_raster import Raster
+from plot_run import INK, RED, prefixed
 
-NEEDED = ("damage", "decohesion", "normal x", "normal y", "peak rate")
-
-
-def draw_squares(ax, xy, sides, values, **style):
-    """Particles as squares of their size, which is known once the axes have one."""
-    ax.set(aspect="equal", facecolor="#eef1f3")
-    ax.grid(False)
-    return ax.scatter(*xy.T, c=values, marker="s", linewidths=0, **style), sides
+NEEDED = ("damage", "decohesion", "normal x", "normal y")
+OTHER = "#9aa5ad"
 
 
 def draw_cracks(run):
     particles = run.particles
     if any(name not in particles for name in NEEDED):
         return
-    concrete = particles["material"] == np.unique(particles["material"][particles["peak rate"] > 0])[-1:]
+    numbers = [k for k, (_, law) in enumerate(run.materials) if law == "concrete"]
+    concrete = np.isin(particles["material"], numbers)
     if not concrete.any():
         return
-    xy, sides = run.x[:, :2], np.sqrt(particles["volume"])
-    low, high = xy.min(axis=0) - sides.max(), xy.max(axis=0) + sides.max()
+    sample = Field([run], "damage").sample(run, run.number)
+    xy, sides = sample.x[:, :2], sample.side
+    low, high = (end[:2] for end in common_limits([run], [sample]))
     _, scale, unit = prefixed(high - low, "m")
     aspect = (high[1] - low[1]) / (high[0] - low[0])
     width = min(6.0, 7.0 / aspect)
     fig, axes = plt.subplots(1, 3, figsize=(3 * (width + 1.1), width * aspect + 2), sharex=True,
                              sharey=True)
+    raster = Raster(xy, sides, low, high, sample.fluid)
+
+    def show(ax, values, where, **style):
+        image = raster.image(np.where(where, values, np.nan), sample.volume, mean=False)
+        return ax.imshow(image, origin="lower", extent=np.array(raster.extent) / scale,
+                         interpolation="nearest", **style)
+
     apart = concrete & (particles["decohesion"] > 0)
     state = np.where(~concrete, 0, np.where(particles["decohesion"] >= 1, 3, np.where(apart, 2, 1)))
-    drawn = [draw_squares(axes[0], xy / scale, sides, state, vmin=-0.5, vmax=3.5,
-                          cmap=ListedColormap(("#9aa5ad", "#dfe5e8", "#f2b134", RED)))]
+    show(axes[0], state, True, vmin=-0.5, vmax=3.5, cmap=ListedColormap((OTHER, "#dfe5e8", "#f2b134", RED)))
     some = np.flatnonzero(apart)
     some = some[:: max(1, len(some) // 1500)]
     normals = np.stack([particles["normal x"], particles["normal y"]], axis=1)[some]
@@ -42,7 +48,7 @@ def draw_cracks(run):
     ends = np.stack([xy[some] - half, xy[some] + half, np.full_like(half, np.nan)], axis=1)
     axes[0].plot(*(ends.reshape(-1, 2) / scale).T, color=INK, lw=0.8)
     axes[0].set_title("failure pattern and planes")
-    for colour, label in (("#9aa5ad", "other matter"), ("#dfe5e8", "sound"), ("#f2b134", "coming apart"),
+    for colour, label in ((OTHER, "other matter"), ("#dfe5e8", "sound"), ("#f2b134", "coming apart"),
                           (RED, "separate")):
         axes[0].plot([], [], "s", ms=6, color=colour, label=label)
     make_axes_locatable(axes[0]).append_axes("right", size=0.12, pad=0.08).set_visible(False)
@@ -50,20 +56,15 @@ def draw_cracks(run):
     failure = 1 - (1 - particles["damage"]) * (1 - particles["decohesion"])
     for ax, values, title, top in ((axes[1], particles["damage"], "damage D [-]", None),
                                    (axes[2], failure, "1 - (1 - D)(1 - decohesion) [-]", 1)):
-        ax.scatter(*xy[~concrete].T / scale, c=GREY, marker="s", s=2, linewidths=0)
-        squares, sizes = draw_squares(ax, xy[concrete] / scale, sides[concrete], values[concrete],
-                                      cmap="magma_r", vmin=0, vmax=top)
-        drawn.append((squares, sizes))
+        show(ax, 0, ~concrete, cmap=ListedColormap([OTHER]))
+        picture = show(ax, values, concrete, cmap="magma_r", vmin=0, vmax=top)
         bar = make_axes_locatable(ax).append_axes("right", size=0.12, pad=0.08)
-        fig.colorbar(squares, cax=bar)
+        fig.colorbar(picture, cax=bar)
         ax.set_title(title)
     for ax in axes:
         ax.set(xlim=(low[0] / scale, high[0] / scale), ylim=(low[1] / scale, high[1] / scale),
-               xlabel=f"x [{unit}]")
+               xlabel=f"x [{unit}]", aspect="equal", facecolor=BACKGROUND)
+        ax.grid(False)
     axes[0].set_ylabel(f"y [{unit}]")
     fig.tight_layout(rect=(0, 0, 0.995, 1 - 0.7 / fig.get_figheight()))
-    fig.canvas.draw()
-    points = axes[0].get_window_extent().width * 72 / fig.dpi / (high[0] - low[0])
-    for squares, sizes in drawn:
-        squares.set_sizes(np.maximum(1.1 * points * sizes, 0.8) ** 2)
     run.save(fig, "cracks")

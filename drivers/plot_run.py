@@ -1,29 +1,15 @@
-"""What the pictures of a run stand on: its tables and particles, numbers of them, and their looks."""
-import json
+"""What the pictures of a run stand on: what its folder says, numbers of its particles, and their looks."""
 import os
-import sys
 import xml.etree.ElementTree as xml
 
-try:
-    import numpy as np
-    import matplotlib
-
-    matplotlib.use("Agg")
-    import matplotlib.pyplot as plt
-except ImportError as error:
-    # A private python may stand in front of the one that the distribution's packages belong to.
-    python = "/usr/bin/python3"
-    if os.path.exists(python) and not os.path.samefile(sys.executable, python):
-        os.execv(python, [python, *sys.argv])
-    missing = "numpy" if error.name == "numpy" else "matplotlib"
-    print(f"plot: no {missing}; install the Debian package python3-{missing}", file=sys.stderr)
-    sys.exit(2)
-
-MOST_DOTS = 300_000  # with more particles an image of averages is faster and clearer
+from plot_files import Missing, Mistake, complete, read_csv, read_series, read_vtk
+from plot_libraries import np, plt
+from plot_options import is_file
 
 UNITS = {"density": "kg/m$^3$", "velocity": "m/s", "pressure": "Pa", "energy": "J/kg"}
 NAMES = {"energy": "specific internal energy"}
 COLOURS = {"density": "viridis", "pressure": "inferno", "velocity": "cividis", "energy": "magma"}
+FLUIDS = ("perfect gas", "jwl", "linear fluid")
 
 BLUE, NAVY, RED, TEAL, VIOLET, INK, GREY = (
     "#6c9bc4", "#173f5f", "#e4572e", "#2a9d8f", "#7b5ea7", "#30383e", "#5f6a72")
@@ -36,89 +22,59 @@ STYLE = {
 }
 
 
-class Missing(Exception):
-    """Something that a picture needs is not there; says what in one line."""
-
-
-# ---- Reading ----
-def complete(table, needed, path):
-    """The table, if it has all the columns that are needed, and rows."""
-    for name in needed:
-        if name not in table:
-            raise Missing(f"{path} has no column '{name}'")
-    if len(table[needed[0]]) == 0:
-        raise Missing(f"{path} is empty")
-    return table
-
-
-def read_vtp(path):
-    """The arrays of a particle file by name, left on the disk until they are used."""
-    mark = b'<AppendedData encoding="raw">\n_'
-    arrays = {}
-    try:
-        raw = np.memmap(path, dtype=np.uint8, mode="r")
-        head = bytes(raw[: 1 << 16]).partition(mark)[0]
-        for array in xml.fromstring(head + b"</VTKFile>").iter("DataArray"):
-            begin = len(head) + len(mark) + int(array.get("offset")) + 8
-            kind = np.dtype(array.get("type").lower()).newbyteorder("<")
-            rows = int(raw[begin - 8 : begin].view("<u8")[0]) // kind.itemsize
-            columns = int(array.get("NumberOfComponents"))
-            values = np.frombuffer(raw, kind, rows, begin) if rows else np.empty(0, kind)
-            arrays[array.get("Name")] = values.reshape(-1, columns) if columns > 1 else values
-    except FileNotFoundError:
-        raise Missing(f"no {path}") from None
-    except (ValueError, IndexError, xml.ParseError):
-        raise Missing(f"{path} is cut off or no particle file") from None
-    return complete(arrays, ("Points", "velocity", "mass", "volume", *UNITS), path)
-
-
-def read_csv(path, needed):
-    """The columns of a table by name; a last line that is still being written is left out."""
-    try:
-        with open(path) as file:
-            names = [name.strip() for name in file.readline().split(",")]
-            rows = [line.split(",") for line in file if line.endswith("\n")]
-        rows = np.array([row for row in rows if len(row) == len(names)], dtype=float)
-    except FileNotFoundError:
-        raise Missing(f"no {path}") from None
-    except ValueError:
-        raise Missing(f"{path} holds something that is no number") from None
-    return complete(dict(zip(names, rows.reshape(-1, len(names)).T)), needed, path)
-
-
 class Run:
-    """What a folder says about its run, and how its pictures are titled and kept."""
+    """What a folder says about its run, and how its pictures are titled and kept: in DIR/pictures, in
+    another folder, or as the one file that `out` names."""
 
-    def __init__(self, folder, frame):
+    def __init__(self, folder, frame=None, out=None):
         self.folder, self.frame = folder, frame
+        self.out, self.drawn = out or self.path("pictures"), []
         try:
-            with open(self.path("summary.json")) as file:
-                summary = json.load(file)
-        except (FileNotFoundError, ValueError):  # a run that is not finished yet
-            summary = {}
-        self.scene = summary.get("scene") or os.path.basename(os.path.abspath(folder))
-        self.title = summary.get("title") or self.scene
-        self.cell = summary.get("cell_size")
-        self.centre = np.array(summary.get("centre") or (0, 0), dtype=float)[:2]
-        self.geometry = summary.get("geometry", "")
+            given = xml.parse(self.path("input.xml")).getroot()
+        except (OSError, xml.ParseError):
+            what = "holds no run: it has no input.xml" if os.path.isdir(folder) else "is not a folder"
+            raise Mistake(f"'{folder}' {what}") from None
+
+        def told(path, otherwise):
+            found = given.find("./" + path)
+            return otherwise if found is None else found.get("value")
+
+        self.scene = given.get("name") or os.path.basename(os.path.abspath(folder))
+        self.title = told("Parameter[@name='title']", "") or self.scene
+        self.geometry = told("Parameter[@name='geometry']", "")
+        self.cell = float(told("*[@name='grid']/Parameter[@name='cell size']", 0))
+        self.materials = [(one.get("name"), one.find("./Parameter[@name='law']").get("value"))
+                          for one in given.findall("./*[@name='materials']/ParameterList")]
+        centre = told("*[@name='exact']/Parameter[@name='centre']", "{0, 0}").strip("{} ")
+        self.centre = np.array(centre.split(","), dtype=float)[:2]
 
     def path(self, name):
         return os.path.join(self.folder, name)
 
+    def outputs(self):
+        """(time, file) of each output: of particles, or of the grid where there are none."""
+        name = "particles.pvd"
+        if not os.path.exists(self.path(name)) and os.path.exists(self.path("grid.pvd")):
+            name = "grid.pvd"
+        return read_series(self.path(name))
+
     def load(self):
         """Reads the particles of the frame asked for, or of the last one."""
-        try:
-            sets = list(xml.parse(self.path("particles.pvd")).getroot().iter("DataSet"))
-        except (FileNotFoundError, xml.ParseError):
-            raise Missing(f"no particles.pvd in {self.folder}, or it is cut off") from None
+        if not os.path.exists(self.path("particles.pvd")) and os.path.exists(self.path("grid.pvd")):
+            raise Missing(f"'{self.folder}' holds no particles, only grids: --field draws those")
+        sets = read_series(self.path("particles.pvd"))
         number = len(sets) - 1 if self.frame is None else self.frame
         if not 0 <= number < len(sets):
             raise Missing(f"no frame {number} among the {len(sets)} in {self.folder}")
         self.is_last = number == len(sets) - 1
-        self.time = float(sets[number].get("timestep"))
-        self.particles = read_vtp(self.path(sets[number].get("file")))
+        self.number, (self.time, file) = number, sets[number]
+        needed = ("Points", "velocity", "mass", "volume", *UNITS)
+        self.particles = complete(read_vtk(self.path(file))[1], needed, self.path(file))
         self.x = self.particles["Points"]
-        self.is_line = self.geometry == "line" or not (self.geometry or self.x[:, 1].any())
+
+    @property
+    def is_line(self):
+        return self.geometry == "line"
 
     def table(self, name):
         """A table that belongs to the last frame, if there is one."""
@@ -133,22 +89,42 @@ class Run:
     def save(self, fig, name):
         facts = [self.scene] * (self.scene != self.title)
         if name not in ("history", "gauges"):
-            facts.append("t = {:.5g} {}".format(*prefixed(self.time, "s")[::2]))
+            facts.append(f"t = {readable_time(self.time)}")
             facts.append(f"{len(self.x):,} particles")
         if self.cell:
             facts.append("cells of {:.4g} {}".format(*prefixed(self.cell, "m")[::2]))
-        height = fig.get_figheight()
-        fig.text(0.02, 1 - 0.12 / height, self.title, va="top", size=14, weight="bold", color=INK)
-        fig.text(0.02, 1 - 0.42 / height, "   |   ".join(facts), va="top", color=GREY)
+        head(fig, self.title, facts)
         suffix = "" if self.frame is None else f"_{self.frame:06d}"
-        path = self.path(f"pictures/{name}{suffix}.png")
-        try:
-            os.makedirs(self.path("pictures"), exist_ok=True)
-            fig.savefig(path)
-        except OSError as problem:
-            raise Missing(f"cannot write {path}: {problem.strerror}") from None
-        plt.close(fig)
-        print(path)
+        keep(fig, self.out, f"{name}{suffix}.png")
+        self.drawn.append(name)
+
+
+# ---- Pictures ----
+def head(fig, title, facts):
+    width, height = fig.get_size_inches()
+    size = min(14, 14 * (width - 0.3) / (0.14 * len(title)))  # a letter of size 14 takes 0.14 inches at most
+    fig.text(0.02, 1 - 0.12 / height, title, va="top", size=size, weight="bold", color=INK)
+    fig.text(0.02, 1 - 0.42 / height, "   |   ".join(facts), va="top", color=GREY)
+
+
+def place(out, name):
+    """Where a picture goes; makes the folder."""
+    path = out if is_file(out) else os.path.join(out, name)
+    try:
+        os.makedirs(os.path.dirname(path) or ".", exist_ok=True)
+    except OSError as problem:
+        raise Missing(f"cannot write {path}: {problem.strerror}") from None
+    return path
+
+
+def keep(fig, out, name):
+    path = place(out, name)
+    try:
+        fig.savefig(path)
+    except OSError as problem:
+        raise Missing(f"cannot write {path}: {problem.strerror}") from None
+    plt.close(fig)
+    print(path)
 
 
 # ---- Numbers ----
@@ -158,7 +134,7 @@ def prefixed(values, unit):
     power = 0
     if not unit.startswith("kg") and 0 < largest < np.inf and not 0.1 <= largest < 1000:
         power = int(np.clip(3 * np.floor(np.log10(largest) / 3), -9, 9))
-    prefix = {-9: "n", -6: r"$\mathrm{\mu}$", -3: "m", 0: "", 3: "k", 6: "M", 9: "G"}[power]
+    prefix = {-9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G"}[power]
     return values / 10.0**power, 10.0**power, prefix + unit
 
 
@@ -186,3 +162,7 @@ def value_range(values, volume):
     low, middle, high = values[order[places]]
     margin = 1e-3 * abs(high) if high - low < 1e-6 * abs(high) else 0
     return low - margin, high + margin, low > 0 and high > 50 * middle
+
+
+def readable_time(time):
+    return "{:.5g} {}".format(*prefixed(time, "s")[::2])

@@ -30,7 +30,7 @@ class Progress {
     std::filesystem::path log;     // empty: no log file
     bool quiet = false;            // shows nothing, the log goes on
     double screen_interval = 0.2;  // least wall time between two rewritings of the line [s]
-    double line_interval = 30;     // most wall time between two plain lines [s]
+    double line_interval = 10;     // most wall time between two plain lines [s]
     double least_interval = 1;     // least wall time between two plain lines [s]
   };
 

@@ -140,8 +140,10 @@ TEST(MistakeAboutFolders, IsToldInOneLine) {
   const std::string path = folder.path.string();
   expect_told("run '" + sod() + "' --out '" + path + "/file/out'", 1, "file");
   expect_told("export '" + path + "' --csv '" + path + "/a.csv'", 1, path);
-  expect_told("plot '" + path + "'", 1, path);
-  expect_told("plot /no/such/folder", 1, "/no/such/folder");
+  expect_told("plot '" + path + "'", 2, path);
+  expect_told("plot /no/such/folder", 2, "/no/such/folder");
+  expect_told("watch '" + path + "'", 2, path);
+  expect_told("watch --once /no/such/folder", 2, "/no/such/folder");
 }
 
 TEST(MistakeAboutFolders, ThatAreReadOnlyIsToldInOneLine) {

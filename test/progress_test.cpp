@@ -98,8 +98,8 @@ TEST_F(ProgressLine, AFileGetsALineForEachTenth) {
 
 TEST_F(ProgressLine, AFileGetsALineNowAndThenInASlowRun) {
   Progress progress(until(100), file());
-  steps(progress, 0, 100, 3.0);
-  // The first step's, then one each 30 s.
+  steps(progress, 0, 100, 1.0);
+  // The first step's, then one each 10 s.
   EXPECT_EQ(count(shown.str(), "\n"), 10) << shown.str();
 }
 
