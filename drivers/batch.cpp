@@ -71,15 +71,17 @@ void Batch::start(std::size_t k) {
               : std::vector<std::string>{"run",           scene.string(), "--out",
                                          folder.string(), "--threads",    number};
   running_.push_back({k, start_program(words, folder / "output.log", goes_on), Clock::now()});
-  std::fprintf(stderr, "%s %s, %s thread%s\n", goes_on ? "goes on: " : "starts:  ",
-               run.name.c_str(), number.c_str(), threads > 1 ? "s" : "");
+  std::fprintf(stderr, "%s %s, %s thread%s\n",
+               goes_on ? "goes on: " : "starts:  ", run.name.c_str(), number.c_str(),
+               threads > 1 ? "s" : "");
 }
 
 void Batch::finish(const Running& running, int status) {
   Record& record = records_[running.run];
   const fs::path folder = folder_of(running.run);
   record = Record();
-  if (status == 0 || status == 75 || status == 130) record = read_record(folder);
+  if (status == 0 || status == 75 || status == 130)
+    record = read_record(folder);
   else {
     record.status = "failed";
     record.wall_seconds = since(running.start);
@@ -96,7 +98,7 @@ void Batch::finish(const Running& running, int status) {
             std::to_string(record.passed + record.failed) + " checks passed";
   if (!record.remark.empty()) line += ": " + record.remark;
   line += "  (" + std::to_string(done_) + " of " + std::to_string(plan_.runs.size()) + " done";
-  if (!waiting_.empty() || !running_.empty())
+  if (!stop_requested() && !(waiting_.empty() && running_.empty()))
     line += ", about " + readable_duration(seconds_left()) + " left";
   std::fprintf(stderr, "%s)\n", line.c_str());
 }

@@ -34,8 +34,11 @@ bool draw(const BatchPlan& plan, const fs::path& folder) {
   bool drawn = true;
   for (const Picture& picture : plan.pictures) {
     std::vector<std::string> words = {(folder / "batch.csv").string(),
-                                      (folder / picture.file).string(), "--title", picture.title,
-                                      "--x", picture.x.label()};
+                                      (folder / picture.file).string(),
+                                      "--title",
+                                      picture.title,
+                                      "--x",
+                                      picture.x.label()};
     for (const auto& quantity : picture.by) words.insert(words.end(), {"--by", quantity.label()});
     for (const auto& quantity : picture.y) words.insert(words.end(), {"--y", quantity.label()});
     drawn = run_script("plot_sweep.py", words) == 0 && drawn;
@@ -47,7 +50,8 @@ bool draw(const BatchPlan& plan, const fs::path& folder) {
 
 int batch_command(const BatchRequest& request) {
   const BatchPlan plan = plan_batch(request.what, request.results);
-  const fs::path folder = request.folder.empty() ? fs::path("out") / plan.name : fs::path(request.folder);
+  const fs::path folder =
+      request.folder.empty() ? fs::path("out") / plan.name : fs::path(request.folder);
   if (request.list) {
     tell_needs(plan, Batch(plan, folder, request.jobs));
     return 0;

@@ -35,7 +35,8 @@ std::vector<std::string> files_of(const std::vector<std::string>& words) {
 
 BatchPlan plan_of_scene(const std::string& file) {
   const List scene = load_scene({file, {}, {}});
-  return {scene.name(), {{scene.name(), file, input_text(scene, ""), {}, threads_for(scene)}}, {}, {}};
+  return {
+      scene.name(), {{scene.name(), file, input_text(scene, ""), {}, threads_for(scene)}}, {}, {}};
 }
 
 bool same_name(const Quantity& a, const Quantity& b) { return a.name == b.name; }
@@ -69,7 +70,7 @@ BatchPlan plan_batch(const std::vector<std::string>& words,
   const auto files = files_of(words);
   BatchPlan plan;
   const fs::path only = fs::absolute(words.front()).lexically_normal();
-  plan.name = words.size() > 1 ? "batch"
+  plan.name = words.size() > 1      ? "batch"
               : only.has_filename() ? only.stem().string()
                                     : only.parent_path().filename().string();
   for (const auto& file : files) {

@@ -1,6 +1,5 @@
 #include "drivers/batch_record.hpp"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -34,13 +33,13 @@ Record read_record(const fs::path& folder) {
   Record record;
   try {
     const json summary = json::parse(read_file(folder / "summary.json"));
+    record.status = summary.at("status");
     record.wall_seconds = summary.at("wall_seconds");
+    if (record.status != "finished") return record;
     for (const auto& check : summary.at("checks"))
       ++(check.at("verdict") == "reached" ? record.passed : record.failed);
     for (const auto& [name, measure] : summary.at("measures").items())
-      record.measures[name] = measure.at("value").is_null() ? std::nan("")
-                                                            : measure.at("value").get<double>();
-    record.status = summary.at("status");
+      if (!measure.at("value").is_null()) record.measures[name] = measure.at("value");
   } catch (const std::exception& error) {
     record.status = "failed";
     record.remark = error.what();

@@ -11,8 +11,8 @@ struct Record {
   std::string status = "not run";  ///< or "finished", "interrupted", "failed"
   int passed = 0, failed = 0;      ///< checks
   double wall_seconds = 0;
-  std::map<std::string, double> measures;
-  std::string remark;  ///< why it failed
+  std::map<std::string, double> measures;  ///< of a finished run, those with a value
+  std::string remark;                      ///< why it failed
 
   bool well() const { return status == "finished" && failed == 0; }
 };

@@ -58,8 +58,8 @@ int usable_cores() {
 
 pid_t start_program(const std::vector<std::string>& arguments, const std::filesystem::path& said,
                     bool append) {
-  const int out = ::open(said.c_str(),
-                         O_WRONLY | O_CREAT | O_CLOEXEC | (append ? O_APPEND : O_TRUNC), 0666);
+  const int out =
+      ::open(said.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | (append ? O_APPEND : O_TRUNC), 0666);
   if (out < 0)
     throw std::runtime_error("cannot write '" + said.string() +
                              "': " + std::generic_category().message(errno));

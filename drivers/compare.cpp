@@ -37,8 +37,7 @@ void print(const FileDifference& file) {
     std::printf("  %-*s  differs by %.3g, %.3g of its range, at %s\n", static_cast<int>(width),
                 column.name().c_str(), column.largest(), column.share(), column.where().c_str());
   }
-  if (same > 0)
-    std::printf("  %s%zu the same\n", same == file.columns.size() ? "all " : "", same);
+  if (same > 0) std::printf("  %s%zu the same\n", same == file.columns.size() ? "all " : "", same);
   for (const auto& line : file.apart) std::printf("  %s\n", line.c_str());
 }
 

@@ -146,7 +146,8 @@ FileDifference compare_series(const std::string& name, const fs::path& a, const 
     for (const auto& entry : all) values.push_back(entry.time);
     return values;
   };
-  const auto materials = list_names(read_input((a / "input.xml").string()).list->sublist("materials"));
+  const auto materials =
+      list_names(read_input((a / "input.xml").string()).list->sublist("materials"));
   std::size_t count = 0;
   match_times(times(one), times(other), "outputs", file.apart, [&](std::size_t i, std::size_t j) {
     const fs::path first = a / one[i].file, second = b / other[j].file;
@@ -166,7 +167,8 @@ FileDifference compare_measures(const fs::path& a, const fs::path& b) {
     std::map<std::string, double> values;
     const auto summary = nlohmann::json::parse(read_file(folder / "summary.json"));
     for (const auto& [name, measure] : summary.at("measures").items())
-      values[name] = measure.at("value").is_null() ? std::nan("") : measure.at("value").get<double>();
+      values[name] =
+          measure.at("value").is_null() ? std::nan("") : measure.at("value").get<double>();
     return values;
   };
   const auto names = [](const auto& all) {
@@ -194,7 +196,8 @@ std::vector<FileDifference> compare_runs(const fs::path& a, const fs::path& b) {
     }
   for (const auto& name : all) {
     if (!fs::exists(a / name) || !fs::exists(b / name))
-      files.push_back({name, "not compared", {}, {fs::exists(a / name) ? "only in A" : "only in B"}});
+      files.push_back(
+          {name, "not compared", {}, {fs::exists(a / name) ? "only in A" : "only in B"}});
     else if (name == "summary.json")
       files.push_back(compare_measures(a, b));
     else if (fs::path(name).extension() == ".pvd")

@@ -35,8 +35,8 @@ std::vector<Quantity> measures_of(const List& valid, const List& list, const cha
   std::vector<Quantity> quantities;
   for (const auto& name : parts_of(get<std::string>(list, parameter))) {
     if (!find_list(known, name))
-      refuse(list, parameter, "'" + name + "' is not measured in the scene" +
-                                  did_you_mean(name, list_names(known)));
+      refuse(list, parameter,
+             "'" + name + "' is not measured in the scene" + did_you_mean(name, list_names(known)));
     quantities.push_back({name, bare(described(known.sublist(name), "least").unit)});
   }
   return quantities;
@@ -128,15 +128,16 @@ class Expansion {
           error.parameter.empty() ? error.list : error.list + "/" + error.parameter;
       const bool axis = change.parameter != "changes";
       return {change.list, path && axis ? "parameter" : change.parameter,
-              "'" + (!axis ? change.option() : path ? change.path : change.value) + "'",
+              "'" +
+                  (!axis  ? change.option()
+                   : path ? change.path
+                          : change.value) +
+                  "'",
               "'" + there + "' " + error.rule};
     }
-    return {error.list,
-            error.parameter,
-            error.value,
-            error.rule + " (in run '" + run + "' of " + file_ + ")",
-            error.file,
-            error.line};
+    return {error.list,  error.parameter,
+            error.value, error.rule + " (in run '" + run + "' of " + file_ + ")",
+            error.file,  error.line};
   }
 
   void choose_results(const List& valid, const std::vector<Axis>& axes, const PlannedRun& run) {

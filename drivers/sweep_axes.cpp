@@ -14,7 +14,8 @@ constexpr std::size_t most_runs = 10000;
 std::string speaking(const std::string& text) {
   std::string name;
   for (const char c : text) {
-    const bool kept = std::isalnum(static_cast<unsigned char>(c)) || c == '.' || c == '+' || c == '-';
+    const bool kept =
+        std::isalnum(static_cast<unsigned char>(c)) || c == '.' || c == '+' || c == '-';
     if (kept)
       name += c;
     else if (!name.empty() && name.back() != '_')

@@ -67,7 +67,8 @@ List valid_axis(const List& given) {
                                 "what is varied: list/parameter of the scene [-]");
   if (has(given, "from") || has(given, "to") || has(given, "count")) {
     const char* in_its_unit = "in the unit of the parameter [-]";
-    if (has(given, "values")) refuse(given, "values", "is given beside a range: give one of the two");
+    if (has(given, "values"))
+      refuse(given, "values", "is given beside a range: give one of the two");
     declare_required<double>(valid, "from", anything(), std::string("first value, ") + in_its_unit);
     declare_required<double>(valid, "to", anything(), std::string("last value, ") + in_its_unit);
     declare_required<int>(valid, "count", between(2, most_values),
@@ -78,7 +79,8 @@ List valid_axis(const List& given) {
   }
   const std::string type = has(given, "values") ? described(given, "values").type : "string";
   const std::string doc =
-      "the values, as Array(double), Array(int), or text with ';' between them; or, in place of it, "
+      "the values, as Array(double), Array(int), or text with ';' between them; or, in place of "
+      "it, "
       "'from', 'to', 'count' (doubles, int) and 'spacing' (linear, geometric) [-]";
   if (type == type_name<std::vector<double>>())
     declare_required<std::vector<double>>(valid, "values", anything(), doc);
@@ -92,11 +94,10 @@ List valid_axis(const List& given) {
 std::vector<std::string> axis_values(const List& axis) {
   if (has(axis, "from")) return range_values(axis);
   const std::string type = described(axis, "values").type;
-  const auto values = type == type_name<std::vector<double>>()
-                          ? texts(get<std::vector<double>>(axis, "values"))
-                      : type == type_name<std::vector<int>>()
-                          ? texts(get<std::vector<int>>(axis, "values"))
-                          : parts_of(get<std::string>(axis, "values"));
+  const auto values =
+      type == type_name<std::vector<double>>() ? texts(get<std::vector<double>>(axis, "values"))
+      : type == type_name<std::vector<int>>()  ? texts(get<std::vector<int>>(axis, "values"))
+                                               : parts_of(get<std::string>(axis, "values"));
   if (values.empty()) refuse(axis, "values", "must hold a value");
   return values;
 }
