@@ -62,8 +62,7 @@ void Batch::start(std::size_t k) {
   write_file(scene, run.input);
   // If it is cut off, that of another run must not speak for it.
   fs::remove(folder / "summary.json");
-  int threads = std::max(1, usable_cores() / static_cast<int>(jobs_));
-  if (run.threads > 0) threads = std::min(threads, run.threads);
+  int threads = std::min(run.threads, std::max(1, usable_cores() / static_cast<int>(jobs_)));
   if (goes_on) threads = needs_[k].threads;
   const std::string number = std::to_string(threads);
   const std::vector<std::string> words =
@@ -91,7 +90,8 @@ void Batch::finish(const Running& running, int status) {
   if (record.status != "interrupted") ++done_;
   ++ended_;
   spent_ += since(running.start);
-  std::string line = record.status + (record.status.size() < 8 ? ":  " : ": ");
+  std::string line = record.status + ":";
+  line.resize(std::max<std::size_t>(10, line.size() + 1), ' ');
   line += plan_.runs[running.run].name + ", " + readable_duration(record.wall_seconds);
   if (record.passed + record.failed > 0)
     line += ", " + std::to_string(record.passed) + " of " +

@@ -35,8 +35,10 @@ std::vector<std::string> files_of(const std::vector<std::string>& words) {
 
 BatchPlan plan_of_scene(const std::string& file) {
   const List scene = load_scene({file, {}, {}});
-  return {
-      scene.name(), {{scene.name(), file, input_text(scene, ""), {}, threads_for(scene)}}, {}, {}};
+  return {scene.name(),
+          {{scene.name(), file, input_text(scene, ""), {}, paying_threads(scene)}},
+          {},
+          {}};
 }
 
 bool same_name(const Quantity& a, const Quantity& b) { return a.name == b.name; }

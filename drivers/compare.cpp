@@ -20,7 +20,7 @@ void tell_apart(const char* run, const std::string& what, const std::vector<doub
                 std::vector<std::string>& apart) {
   if (times.empty()) return;
   std::string text = std::string("only in ") + run + ": " + std::to_string(times.size()) + " " +
-                     what + ", t = " + number(times.front());
+                     what + (times.size() > 1 ? "s" : "") + ", t = " + number(times.front());
   if (times.size() > 1) text += " to " + number(times.back());
   apart.push_back(text + " s");
 }

@@ -53,7 +53,7 @@ std::vector<FileDifference> compare_runs(const std::filesystem::path& a,
                                          const std::filesystem::path& b);
 
 /// Walks through two ascending lists of times: f(i, j) for those that are the same, to 1e-9 of the
-/// time; each that only one has goes into `apart`, where many are told as one.
+/// time; those that only one has are told in `apart`, by what they are ("row").
 void match_times(const std::vector<double>& a, const std::vector<double>& b,
                  const std::string& what, std::vector<std::string>& apart,
                  const std::function<void(std::size_t, std::size_t)>& f);

@@ -149,7 +149,7 @@ FileDifference compare_series(const std::string& name, const fs::path& a, const 
   const auto materials =
       list_names(read_input((a / "input.xml").string()).list->sublist("materials"));
   std::size_t count = 0;
-  match_times(times(one), times(other), "outputs", file.apart, [&](std::size_t i, std::size_t j) {
+  match_times(times(one), times(other), "output", file.apart, [&](std::size_t i, std::size_t j) {
     const fs::path first = a / one[i].file, second = b / other[j].file;
     if (name == "particles")
       compare_particles(first, second, one[i].time, materials, file);

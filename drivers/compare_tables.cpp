@@ -60,7 +60,7 @@ FileDifference compare_tables(const std::string& name, const std::string& a, con
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
   const auto pair_up = [&](std::size_t i, std::size_t j) { pairs.emplace_back(i, j); };
   if (timed) {
-    match_times(times_of(one), times_of(other), "rows", file.apart, pair_up);
+    match_times(times_of(one), times_of(other), "row", file.apart, pair_up);
   } else {
     for (std::size_t k = 0; k < std::min(one.rows.size(), other.rows.size()); ++k) pair_up(k, k);
     if (one.rows.size() != other.rows.size())

@@ -106,7 +106,7 @@ class Expansion {
       List complete = complete_scene(*scene.list);
       complete.setName(std::filesystem::path(run.name).string());
       run.input = input_text(complete, "");
-      run.threads = threads_for(complete);
+      run.threads = paying_threads(complete);
     } catch (const InputError& error) {
       throw told(scene.locate(error), changes, run.name);
     }

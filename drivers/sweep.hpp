@@ -22,7 +22,7 @@ struct PlannedRun {
   std::string source;  ///< the file that it comes from
   std::string input;   ///< XML of its complete scene
   std::vector<std::pair<Quantity, std::string>> varied;  ///< with their values
-  int threads = 1;                                       ///< as many as pay; -1: not known
+  int threads = 1;                                       ///< as many as pay
 };
 
 /// Results against a parameter that is varied.

@@ -60,8 +60,9 @@ std::vector<std::vector<Change>> combinations(const List& sweep, const std::vect
     for (const Axis& axis : axes)
       if (axis.changes.size() != count)
         refuse(sweep.sublist("vary").sublist(axis.name), "",
-               "has " + std::to_string(axis.changes.size()) + " values and '" + axes.front().name +
-                   "' has " + std::to_string(count) + ": with combine = zip all have as many");
+               "has another number of values than '" + axes.front().name + "', " +
+                   std::to_string(axis.changes.size()) + " instead of " + std::to_string(count) +
+                   ": combine = zip pairs them");
     for (std::size_t k = 0; k < count; ++k) {
       all.emplace_back();
       for (const Axis& axis : axes) all.back().push_back(axis.changes[k]);

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -57,7 +58,7 @@ TEST(CompareTables, MatchesRowsByTimeAndColumnsByName) {
       compare_tables("a.csv", "step,time,x,old\n0,0,1,1\n1,0.1,2,1\n2,0.2,3,1\n",
                      "time,x,step,new\n0,1,0,1\n0.2,3.5,2,1\n0.3,1,3,1\n");
   EXPECT_EQ(d.count, "2 rows");
-  EXPECT_THAT(d.apart, ElementsAre("only in A: 1 rows, t = 0.1 s", "only in B: 1 rows, t = 0.3 s",
+  EXPECT_THAT(d.apart, ElementsAre("only in A: 1 row, t = 0.1 s", "only in B: 1 row, t = 0.3 s",
                                    "only in A: column 'old'", "only in B: column 'new'"));
   ASSERT_EQ(d.columns.size(), 3u);
   EXPECT_EQ(d.columns[2].name(), "x");

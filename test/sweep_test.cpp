@@ -145,10 +145,10 @@ TEST_F(Sweep, TellsFileAndLineOfWhatIsWrong) {
        ":6: list 'vary/CFL', parameter 'values' = '2': 'time/CFL' must be > 0 and <= 0.95"},
       {sweep(axis("CFL", "time/CFL", values(" ; "))), "must hold a value"},
       {sweep(axis("CFL", "time/CFL", values("0.3; 0.3"))), "two runs of the name 'CFL_0.3'"},
-      {sweep(axis("CFL", "time/CFL", "")), "parameter 'values': is missing"},
+      {sweep(axis("CFL", "time/CFL", "")), "parameter 'values' is missing"},
       {sweep(axis("CFL", "time/CFL", values("0.3") + parameter("from", "double", "0.1"))),
        "is given beside a range"},
-      {sweep(axis("CFL", "time/CFL", parameter("from", "double", "0.1"))), "'to': is missing"},
+      {sweep(axis("CFL", "time/CFL", parameter("from", "double", "0.1"))), "'to' is missing"},
       {sweep(axis("CFL", "time/CFL",
                   parameter("from", "double", "0") + parameter("to", "double", "0.4") +
                       parameter("count", "int", "3") +
@@ -160,7 +160,7 @@ TEST_F(Sweep, TellsFileAndLineOfWhatIsWrong) {
        "parameter 'from' = '10': 'grid/cells' must be entries in braces"},
       {sweep(""), "must hold a list for a parameter"},
       {sweep(good + axis("end", "time/end", values("0.1")), parameter("combine", "string", "zip")),
-       "list 'vary/end': has 1 values and 'CFL' has 2"},
+       "list 'vary/end' has another number of values than 'CFL', 1 instead of 2"},
       {sweep(good, parameter("changes", "string", "time/end")), "must be list/parameter=value"},
       {sweep(good, parameter("changes", "string", "time/end=-1")),
        ":3: parameter 'changes' = 'time/end=-1': 'time/end' must be > 0"},
