@@ -80,7 +80,9 @@ class Expansion {
 
   Document base() const {
     try {
-      return read_input(base_);
+      Document scene = read_input(base_);
+      if (is_sweep(*scene.list)) throw InputError("", "", "", "is a sweep, not a scene", base_);
+      return scene;
     } catch (const InputError& error) {
       if (error.line > 0) throw;
       refuse(sweep_, "base", error.rule + " ('" + base_ + "')");

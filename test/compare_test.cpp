@@ -131,6 +131,19 @@ TEST_F(CompareProgram, ARunOfItsOwnInputIsTheSame) {
   EXPECT_EQ(ran.status, 0) << ran.out << ran.err;
 }
 
+// Four materials, bodies of points, burning, gauges and watches.
+TEST_F(CompareProgram, ABombOfItsOwnInputIsTheSame) {
+  const fs::path first = data_folder() / "inputs/bomb_cased.xml";
+  const std::string rest = " --set time/end=3e-5 --threads 1 --out ";
+  ASSERT_EQ(run_program("run " + quoted(first) + rest + quoted(run("bomb"))).status, 0);
+  ASSERT_EQ(
+      run_program("run " + quoted(run("bomb") / "input.xml") + rest + quoted(run("bomb again")))
+          .status,
+      0);
+  const Ran ran = compare("bomb", "bomb again");
+  EXPECT_EQ(ran.status, 0) << ran.out << ran.err;
+}
+
 TEST_F(CompareProgram, TellsTheLargestDifferenceAndHoldsItAgainstTheTolerance) {
   ASSERT_EQ(run_program(tube(run("other"), "--set scheme/damping=0.5")).status, 0);
   const Ran ran = compare("whole", "other", "--tolerance 1e-6");
