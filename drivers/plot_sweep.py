@@ -30,7 +30,7 @@ def axis(values, label):
     """Values in a handy unit, and the label of their axis."""
     name, unit = split(label)
     values = np.array(values)
-    if not unit or not np.isfinite(values).any():
+    if unit in ("", "cells") or not np.isfinite(values).any():
         return values, label
     values, _, unit = prefixed(values, unit)
     return values, f"{name} [{unit}]"
@@ -50,7 +50,7 @@ def draw(given):
     colours = (NAVY, RED, TEAL, VIOLET, BLUE, GREY)
     for panel, label in zip(panels[:, 0], given.y):
         y, y_label = axis([number(row[label]) for row in rows], label)
-        for k, (values, places) in enumerate(sorted(lines.items())):
+        for k, (values, places) in enumerate(lines.items()):
             order = sorted(places, key=lambda place: x[place])
             named = ", ".join(f"{split(by)[0]} = {value} {split(by)[1]}".strip()
                               for by, value in zip(given.by, values))
@@ -63,7 +63,7 @@ def draw(given):
     if given.by:
         panels[0, 0].legend(ncol=3, loc="lower left", bbox_to_anchor=(0, 1), borderaxespad=0.2)
     fig.text(0.02, 1 - 0.12 / height, given.title, va="top", size=13, weight="bold", color=INK)
-    fig.tight_layout(rect=(0, 0, 0.99, 1 - (0.75 if given.by else 0.45) / height))
+    fig.tight_layout(rect=(0, 0, 0.99, 1 - 0.45 / height))
     try:
         fig.savefig(given.picture)
     except OSError as problem:
