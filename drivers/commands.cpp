@@ -9,11 +9,14 @@
 #include "drivers/run.hpp"
 #include "drivers/runtime.hpp"
 #include "drivers/scene.hpp"
+#include "drivers/sweep.hpp"
 
 namespace brisance {
 
 List load_scene(const SceneRequest& request) {
   Document document = read_input(request.file);
+  if (is_sweep(*document.list))
+    throw InputError("", "", "", "is a sweep, not a scene: run it by 'brisance batch'", request.file);
   try {
     if (!request.preset.empty())
       apply_override(document, "preset=" + request.preset, valid_scene(*document.list));

@@ -54,4 +54,17 @@ struct ReproduceRequest {
 };
 int reproduce_command(const ReproduceRequest& request);
 
+/// Many runs, see batch.hpp. The status is 0 only if all have finished and all checks hold.
+struct BatchRequest {
+  std::vector<std::string> what;     ///< scenes, sweeps, and folders of them
+  std::string folder;                ///< empty: out/NAME
+  int jobs = 0;                      ///< runs at once; 0: as many as there are cores
+  std::vector<std::string> results;  ///< measures for the table, beside those that sweeps name
+  bool list = false;                 ///< only tell what there is to do
+};
+int batch_command(const BatchRequest& request);
+
+/// Tells how two runs differ, see compare.hpp; 1 if they do, by more than the tolerance.
+int compare_command(const std::string& first, const std::string& second, double tolerance);
+
 }  // namespace brisance

@@ -12,6 +12,7 @@
 #include "drivers/runtime.hpp"
 #include "drivers/scene.hpp"
 #include "drivers/simulation.hpp"
+#include "drivers/sweep.hpp"
 #include "materials/registry.hpp"
 
 namespace brisance {
@@ -43,7 +44,15 @@ bool contains(const std::vector<std::string>& words, const std::string& word) {
 
 /// The part of all schemas that a word of the command line means.
 List schema_of(const std::string& name) {
-  if (std::filesystem::is_regular_file(name)) return valid_scene(*read_input(name).list);
+  if (std::filesystem::is_regular_file(name)) {
+    const Document document = read_input(name);
+    return is_sweep(*document.list) ? valid_sweep(*document.list) : valid_scene(*document.list);
+  }
+  if (name == "sweep") {
+    List sweep;
+    sweep.sublist("vary").sublist("NAME");
+    return valid_sweep(sweep);
+  }
   const List everything = valid_scene(example_scene());
   if (name.empty()) return everything;
   List given;
@@ -52,6 +61,7 @@ List schema_of(const std::string& name) {
   if (contains(exact_solutions(), name)) return valid_exact(given.set("solution", name));
   if (const List* found = find_anywhere(everything, name)) return *found;
   std::vector<std::string> words = list_names(everything);
+  words.push_back("sweep");
   for (const auto& more : {law_names(), exact_solutions()})
     words.insert(words.end(), more.begin(), more.end());
   throw InputError("", "", "",

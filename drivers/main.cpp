@@ -105,6 +105,27 @@ int main(int argc, char** argv) {
   reproduce_->add_flag("--quick", paper.quick, "take up runs in the folder that are finished");
   reproduce_->add_flag("--list", paper.list, "tell problems, tables and figures, and run nothing");
 
+  BatchRequest many;
+  CLI::App* batch = app.add_subcommand(
+      "batch", "run many scenes, or a sweep of one; called again, do only what is left");
+  batch->add_option("WHAT", many.what, "scenes, sweeps (see describe sweep), folders of them")
+      ->required();
+  batch->add_option("--jobs", many.jobs, "runs at once (default: as many as there are cores)")
+      ->check(CLI::Range(1, 4096));
+  batch->add_option("--out", many.folder, "folder for runs and table (default: out/<name>)");
+  batch->add_option("--result", many.results, "a measure for the table, any number of times")
+      ->allow_extra_args(false);
+  batch->add_flag("--list", many.list, "tell which runs there are to do, and run nothing");
+
+  std::string first, second;
+  double tolerance = 0;
+  CLI::App* compare = app.add_subcommand(
+      "compare", "tell the largest differences of two runs; exit status 0: none beyond tolerance");
+  compare->add_option("A", first, "folder of a run")->required();
+  compare->add_option("B", second, "folder of another")->required();
+  compare->add_option("--tolerance", tolerance, "share of a column's range (default: 0)")
+      ->check(CLI::NonNegativeNumber);
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -124,6 +145,8 @@ int main(int argc, char** argv) {
     if (*plot) status = plot_command(plot->remaining());
     if (*watch) status = watch_command(folder, once);
     if (*reproduce_) status = reproduce_command(paper);
+    if (*batch) status = batch_command(many);
+    if (*compare) status = compare_command(first, second, tolerance);
   } catch (const InputError& error) {
     std::fprintf(stderr, "brisance: %s\n", error.what());
     status = 2;

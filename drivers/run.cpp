@@ -22,7 +22,7 @@
 namespace brisance {
 namespace {
 
-volatile std::sig_atomic_t stop_requested = 0;
+volatile std::sig_atomic_t stop_flag = 0;
 
 double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
@@ -41,7 +41,8 @@ CheckpointHead head_of(const List& scene, const Simulation& simulation) {
 
 }  // namespace
 
-void request_stop() { stop_requested = 1; }
+void request_stop() { stop_flag = 1; }
+bool stop_requested() { return stop_flag; }
 
 RunResult run(const List& scene, const RunOptions& options) {
   const List* exact_list = find_list(scene, "exact");
@@ -161,7 +162,7 @@ RunResult run(const List& scene, const RunOptions& options) {
     output_if_due();  // a run that goes on beyond its former end owes the output there
   }
   const auto stopped = [&] {
-    return stop_requested || (options.wall_limit > 0 && wall_seconds() >= options.wall_limit);
+    return stop_requested() || (options.wall_limit > 0 && wall_seconds() >= options.wall_limit);
   };
   while (simulation->time() < end && !stopped()) {
     simulation->advance(end);

@@ -32,5 +32,6 @@ RunResult run(const List& scene, const RunOptions& options);
 
 /// Asks running loops to stop after the step they are in; safe in a signal handler.
 void request_stop();
+bool stop_requested();
 
 }  // namespace brisance

@@ -18,6 +18,9 @@ int running_threads();
 
 /// As many threads as a complete scene has work for: starting the others would cost more than they
 /// do.
+int paying_threads(const List& scene);
+
+/// The same, or -1 where the environment says how many.
 int threads_for(const List& scene);
 
 }  // namespace brisance

@@ -1,6 +1,7 @@
 #include "drivers/vtk_read.hpp"
 
 #include <cstdint>
+#include <cstdio>
 #include <cstring>
 #include <stdexcept>
 
@@ -37,19 +38,19 @@ std::vector<double> numbers_of(const std::string& type, const char* bytes, std::
   throw std::runtime_error("numbers of type '" + type + "'");
 }
 
-}  // namespace
-
-std::vector<ReadColumn> read_vtp(const std::filesystem::path& path) {
+/// All arrays of a file, and the XML in front of them.
+std::vector<ReadColumn> read_arrays(const std::filesystem::path& path, const std::string& kind,
+                                    std::string& head) {
   const std::string file = read_file(path);
   const auto fail = [&](const std::string& why) {
-    return std::runtime_error("'" + path.string() + "' is not a particle file of ours: " + why);
+    return std::runtime_error("'" + path.string() + "' is not a " + kind + " file of ours: " + why);
   };
   const auto appended = file.find("<AppendedData");
   const auto underscore = file.find('_', appended == std::string::npos ? 0 : appended);
   if (appended == std::string::npos || underscore == std::string::npos)
     throw fail("it has no appended data");
   if (file.find("</AppendedData>", underscore) == std::string::npos) throw fail("it is cut off");
-  const std::string head = file.substr(0, appended);
+  head = file.substr(0, appended);
   const std::size_t data = underscore + 1;
 
   std::vector<ReadColumn> columns;
@@ -83,6 +84,26 @@ std::vector<ReadColumn> read_vtp(const std::filesystem::path& path) {
     }
   }
   return columns;
+}
+
+}  // namespace
+
+std::vector<ReadColumn> read_vtp(const std::filesystem::path& path) {
+  std::string head;
+  return read_arrays(path, "particle", head);
+}
+
+ReadGrid read_vti(const std::filesystem::path& path) {
+  std::string head;
+  ReadGrid grid;
+  grid.columns = read_arrays(path, "grid", head);
+  int low[3], high[3];
+  const std::string extent = attribute(head, "WholeExtent");
+  if (std::sscanf(extent.c_str(), "%d %d %d %d %d %d", &low[0], &high[0], &low[1], &high[1],
+                  &low[2], &high[2]) != 6)
+    throw std::runtime_error("'" + path.string() + "' is not a grid file of ours: it has no extent");
+  for (int d = 0; d < 3; ++d) grid.cells[d] = high[d] - low[d];
+  return grid;
 }
 
 }  // namespace brisance::vtk
