@@ -126,12 +126,16 @@ def draw_fields(run):
 
 def draw_particles(run):
     run.load()
+    shown = ("velocity", "mass", "volume", *COLOURS)
     if run.is_line:
-        draw_profiles(run)
+        if run.has("profiles", shown):
+            draw_profiles(run)
     else:
-        draw_fields(run)
-        draw_profiles(run, radial=True)
-        draw_cracks(run)
+        if run.has("fields", shown):
+            draw_fields(run)
+            draw_profiles(run, radial=True)
+        if "volume" in run.particles and "material" in run.particles:
+            draw_cracks(run)
     draw_fragments(run)
 
 

@@ -64,12 +64,14 @@ def read_vtp(path):
             rows = int(raw[begin - 8 : begin].view("<u8")[0]) // kind.itemsize
             columns = int(array.get("NumberOfComponents"))
             values = np.frombuffer(raw, kind, rows, begin) if rows else np.empty(0, kind)
+            if kind == np.float32:  # sums over many particles need more digits
+                values = values.astype(float)
             arrays[array.get("Name")] = values.reshape(-1, columns) if columns > 1 else values
     except FileNotFoundError:
         raise Missing(f"no {path}") from None
     except (ValueError, IndexError, xml.ParseError):
         raise Missing(f"{path} is cut off or no particle file") from None
-    return complete(arrays, ("Points", "velocity", "mass", "volume", *UNITS), path)
+    return complete(arrays, ("Points",), path)
 
 
 def read_csv(path, needed):
@@ -119,6 +121,15 @@ class Run:
         self.particles = read_vtp(self.path(sets[number].get("file")))
         self.x = self.particles["Points"]
         self.is_line = self.geometry == "line" or not (self.geometry or self.x[:, 1].any())
+
+    def has(self, picture, columns):
+        """Whether the particles have what a picture shows. Says what is not there, in one line."""
+        lacking = [name for name in columns if name not in self.particles]
+        if lacking:
+            names = ", ".join(f"'{name}'" for name in lacking)
+            print(f"plot: no picture '{picture}': the output has no column {names} (output/columns)",
+                  file=sys.stderr)
+        return not lacking
 
     def table(self, name):
         """A table that belongs to the last frame, if there is one."""
