@@ -80,7 +80,8 @@ class TimeKeeper {
   std::array<long, count> calls_{};
   Kernels kernels_;
   double measured_seconds_ = 0;
-  long measured_steps_ = 0, launches_ = 0, skip_ = 0;
+  long measured_steps_ = 0, launches_ = 0;
+  long skip_ = 1;  ///< steps until the next is measured; the first has begun in the set-up
 };
 
 }  // namespace brisance

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <Teuchos_ParameterList.hpp>
 #include <cstdlib>
 
 #include "drivers/checkpoint_file.hpp"

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "drivers/commands.hpp"
+#include "drivers/exact.hpp"
 #include "drivers/output_choice.hpp"
 #include "drivers/output_times.hpp"
 #include "drivers/scene.hpp"
@@ -73,7 +74,9 @@ TEST(OutputColumns, ThatThereAreNotAreToldWithThoseThatThereAre) {
 }
 
 void expect_named(const List& scene) {
-  const auto simulation = make_simulation(scene, nullptr);
+  const List* exact_list = find_list(scene, "exact");
+  const auto exact = exact_list ? make_exact(*exact_list) : nullptr;
+  const auto simulation = make_simulation(scene, exact.get());
   const List valid = OutputChoice::valid_parameters(scene.sublist("materials"), dimension(scene));
   for (const auto& field : simulation->snapshot().table.fields) {
     List given;

@@ -20,12 +20,12 @@ using test::run_program;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-std::string quoted(const fs::path& path) { return "'" + path.string() + "'"; }
+std::string in_quotes(const fs::path& path) { return "'" + path.string() + "'"; }
 
 Ran run_tube(const fs::path& out, const std::string& more = "") {
-  return run_program("run " + quoted(test::input("sod")) +
+  return run_program("run " + in_quotes(test::input("sod")) +
                      " --set 'grid/cells={50}' --set 'grid/cell size=0.02' " + more + " --out " +
-                     quoted(out));
+                     in_quotes(out));
 }
 
 nlohmann::json summary_of(const fs::path& out) {
@@ -79,14 +79,14 @@ TEST(Report, IsInTheSummaryForMachines) {
 TEST(Report, OfARestartCountsFromThere) {
   const Folder folder("again");
   ASSERT_EQ(run_tube(folder.path, "--set checkpoint/steps=20 --set time/end=0.1").status, 0);
-  const Ran ran = run_program("restart " + quoted(folder.path) + " --until 0.2");
+  const Ran ran = run_program("restart " + in_quotes(folder.path) + " --until 0.2");
   ASSERT_EQ(ran.status, 0) << ran.err;
   EXPECT_THAT(ran.out, HasSubstr(" by the clock since the restart"));
   EXPECT_TRUE(summary_of(folder.path)["time_spent"]["since_restart"]);
 }
 
 TEST(Check, SaysWhatTheOutputTakes) {
-  const Ran ran = run_program("check " + quoted(test::input("sod")));
+  const Ran ran = run_program("check " + in_quotes(test::input("sod")));
   EXPECT_THAT(ran.out, HasSubstr("output     about 11 times "));
 }
 
@@ -94,7 +94,7 @@ TEST(Export, HasTheColumnsThatThereAre) {
   const Folder folder("export");
   ASSERT_EQ(run_tube(folder.path, "--set 'output/columns={id, density}'").status, 0);
   const fs::path csv = folder.path / "a.csv";
-  ASSERT_EQ(run_program("export " + quoted(folder.path) + " --csv " + quoted(csv)).status, 0);
+  ASSERT_EQ(run_program("export " + in_quotes(folder.path) + " --csv " + in_quotes(csv)).status, 0);
   const std::string text = read_file(csv);
   EXPECT_THAT(text, StartsWith("id,x,y,z,density\n"));
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'),
@@ -104,7 +104,7 @@ TEST(Export, HasTheColumnsThatThereAre) {
 TEST(Plot, DrawsSinglePrecision) {
   const Folder folder("single");
   ASSERT_EQ(run_tube(folder.path, "--set output/precision=single").status, 0);
-  const Ran ran = run_program("plot " + quoted(folder.path));
+  const Ran ran = run_program("plot " + in_quotes(folder.path));
   EXPECT_EQ(ran.status, 0) << ran.err;
   EXPECT_TRUE(fs::exists(folder.path / "pictures/profiles.png"));
 }
@@ -112,7 +112,7 @@ TEST(Plot, DrawsSinglePrecision) {
 TEST(Plot, LeavesOutAPictureWhoseColumnsAreNotThereAndSaysSo) {
   const Folder folder("lacking");
   ASSERT_EQ(run_tube(folder.path, "--set 'output/columns={density, velocity}'").status, 0);
-  const Ran ran = run_program("plot " + quoted(folder.path));
+  const Ran ran = run_program("plot " + in_quotes(folder.path));
   EXPECT_EQ(ran.status, 0) << ran.err;
   EXPECT_EQ(ran.err,
             "plot: no picture 'profiles': the output has no column 'mass', 'volume', 'pressure', "
