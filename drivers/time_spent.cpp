@@ -12,7 +12,7 @@ constexpr const char* part_names[] = {"set-up", "steps", "watches", "output", "c
 /// What it costs to look at one launch, measured on one thread. [s]
 constexpr double cost_of_look = 1e-7;
 /// Of the time of a run, that goes into it.
-constexpr double bearable = 0.004;
+constexpr double bearable = 0.002;
 
 /// Labels that begin or end alike, and what they are called together. The first that fits counts.
 constexpr std::pair<std::string_view, const char*> beginnings[] = {

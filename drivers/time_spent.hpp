@@ -40,7 +40,7 @@ class TimeKeeper {
   }
 
   /// A step. To look at kernels costs some 100 ns for each launch, so that in a small scene only
-  /// one step in so many is measured: at most 0.4 % of the time go into it.
+  /// one step in so many is measured: some 0.2 % of the time go into it.
   template <class F>
   void step(const F& work) {
     const bool measured = skip_ == 0;
