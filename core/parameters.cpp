@@ -39,12 +39,12 @@ bool visit_as(const ParameterEntry& entry, const F& f) {
   return true;
 }
 
-// f(value) with the value's own type, if that is one of the six.
+// f(value) with the value's own type, if that is one of the seven.
 template <class F>
 bool visit(const ParameterEntry& entry, const F& f) {
   return visit_as<double>(entry, f) || visit_as<int>(entry, f) || visit_as<bool>(entry, f) ||
          visit_as<std::string>(entry, f) || visit_as<std::vector<double>>(entry, f) ||
-         visit_as<std::vector<int>>(entry, f);
+         visit_as<std::vector<int>>(entry, f) || visit_as<std::vector<std::string>>(entry, f);
 }
 
 std::string type_of(const ParameterEntry& entry) {
@@ -273,6 +273,7 @@ BRISANCE_INSTANTIATE(bool)
 BRISANCE_INSTANTIATE(std::string)
 BRISANCE_INSTANTIATE(std::vector<double>)
 BRISANCE_INSTANTIATE(std::vector<int>)
+BRISANCE_INSTANTIATE(std::vector<std::string>)
 #undef BRISANCE_INSTANTIATE
 
 }  // namespace brisance

@@ -1,8 +1,8 @@
 #pragma once
 // Parameters on top of Teuchos. A schema is a Teuchos::ParameterList of defaults whose entries
 // carry a rule and a documentation: declare() builds it, check() completes by it what was given,
-// get() reads the result. T is one of double, int, bool, std::string, std::vector<double>,
-// std::vector<int>. Host only.
+// get() reads the result. T is one of double, int, bool, std::string and the vectors of double, int
+// and std::string. Host only.
 #include <string>
 #include <vector>
 

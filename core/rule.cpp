@@ -59,7 +59,8 @@ std::size_t distance(const std::string& a, const std::string& b) {
 
 template <class T>
 constexpr bool is_array =
-    std::is_same_v<T, std::vector<double>> || std::is_same_v<T, std::vector<int>>;
+    std::is_same_v<T, std::vector<double>> || std::is_same_v<T, std::vector<int>> ||
+    std::is_same_v<T, std::vector<std::string>>;
 
 }  // namespace
 
@@ -158,6 +159,9 @@ std::string wording(const Rule& rule) {
   if constexpr (std::is_same_v<T, std::string>) {
     return rule.choices.empty() ? "text" : "one of: " + joined(rule.choices);
   }
+  if constexpr (std::is_same_v<T, std::vector<std::string>>) {
+    return rule.choices.empty() ? "texts" : "any of: " + joined(rule.choices);
+  }
   std::string noun = std::is_same_v<T, int> ? "an integer" : "a number";
   if constexpr (is_array<T>) {
     noun = std::is_same_v<T, std::vector<int>> ? "integer" : "number";
@@ -175,6 +179,7 @@ std::string type_name() {
   if constexpr (std::is_same_v<T, bool>) return "bool";
   if constexpr (std::is_same_v<T, std::string>) return "string";
   if constexpr (std::is_same_v<T, std::vector<double>>) return "Array(double)";
+  if constexpr (std::is_same_v<T, std::vector<std::string>>) return "Array(string)";
   return "Array(int)";
 }
 
@@ -232,6 +237,7 @@ BRISANCE_INSTANTIATE(bool)
 BRISANCE_INSTANTIATE(std::string)
 BRISANCE_INSTANTIATE(std::vector<double>)
 BRISANCE_INSTANTIATE(std::vector<int>)
+BRISANCE_INSTANTIATE(std::vector<std::string>)
 #undef BRISANCE_INSTANTIATE
 
 }  // namespace brisance

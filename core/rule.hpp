@@ -1,6 +1,7 @@
 #pragma once
 // What the value of a parameter must obey, and how that is told to people. Knows no list and no
-// file format. T is one of double, int, bool, std::string, std::vector<double>, std::vector<int>.
+// file format. T is one of double, int, bool, std::string and the vectors of double, int and
+// std::string.
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -23,7 +24,7 @@ struct InputError : std::runtime_error {
   int line;
 };
 
-/// Numbers (every entry of an array) lie between two ends and are finite, a text is among the
+/// Numbers (every entry of an array) lie between two ends and are finite, texts are among the
 /// choices, an array has so many entries.
 struct Rule {
   double low = -std::numeric_limits<double>::infinity();

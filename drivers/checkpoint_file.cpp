@@ -75,18 +75,6 @@ Archive::Entry read_entry(hid_t file, const std::string& path) {
   return entry;
 }
 
-/// The disk must have room for the file, and a fifth more for what else is written meanwhile.
-void expect_room(const fs::path& path, std::size_t bytes) {
-  std::error_code unknown;
-  const auto space = fs::space(path.parent_path(), unknown);
-  const double needed = 1.2 * static_cast<double>(bytes);
-  if (!unknown && static_cast<double>(space.available) < needed)
-    throw std::runtime_error("cannot write '" + path.string() + "': it takes " +
-                             std::to_string(static_cast<long>(needed / 1e6) + 1) +
-                             " MB and the disk has " + std::to_string(space.available / 1000000) +
-                             " MB left");
-}
-
 }  // namespace
 
 std::string seal_of(const std::string& content) {
@@ -113,7 +101,7 @@ void write_checkpoint(const fs::path& path, const CheckpointHead& head, Archive&
     }
     image = hdf5::image_of(file);
   }
-  expect_room(path, image.size());
+  expect_room(path.parent_path(), "'" + path.string() + "'", static_cast<double>(image.size()));
   AtomicFile file(path);
   file.write(image);
   file.write(seal_of(image));

@@ -1,16 +1,7 @@
 #pragma once
-// One checkpoint as an HDF5 file, for example to `h5py.File(name)`:
-//   attributes of the root   format (1), program, commit, scene, title; step, time [s], threads
-//   input                    the complete scene as XML text
-//   material NAME/COLUMN     state of the particles, (components, particles), in their order; also
-//                            id, count, floors
-//   contents                 paths of all of the following, one on each line
-//   everything else          what the parts of a run remember, see each `keep`: numbers in float64
-//                            and int64, texts (history.csv so far) as bytes
-// All numbers are chunked and carry HDF5's own checksum (fletcher32). Behind HDF5's content stand
-// 32 bytes: "brisance complete", padded with zeros to 24, and a checksum (64-bit FNV-1a) of all
-// that precedes it. It is both the mark of a complete file and what finds a bit flipped in HDF5's
-// own tables, which have no checksums.
+// One checkpoint as an HDF5 file; CHECKPOINT.md says what is in it. The seal behind HDF5's content
+// is both the mark of a complete file and what finds a bit flipped in HDF5's own tables, which have
+// no checksums.
 #include <filesystem>
 #include <string>
 

@@ -30,13 +30,8 @@ List load_scene(const SceneRequest& request) {
   }
 }
 
-int tell(const List& scene, const RunResult& result, const std::filesystem::path& folder) {
-  for (const Verdict& v : result.outcome.verdicts)
-    std::printf("%-24s %12.4g %-6s %-20s %s\n", v.quantity.c_str(), v.measured, v.unit.c_str(),
-                v.limit().c_str(), v.reached() ? "reached" : "missed");
-  std::printf("%s: %s at t = %.6g s after %ld steps, %ld particles; results in %s\n",
-              scene.name().c_str(), result.outcome.status.c_str(), result.end.time, result.end.step,
-              result.end.particles, folder.c_str());
+int tell(const RunResult& result, const std::filesystem::path& folder) {
+  for (const auto& line : result.report) std::printf("%s\n", line.c_str());
   if (result.resumable) std::printf("to go on: brisance restart '%s'\n", folder.c_str());
   if (result.outcome.status == "finished") return 0;
   return result.resumable ? 75 : 130;
@@ -50,7 +45,7 @@ int run_command(const SceneRequest& request, const std::string& folder, int thre
   options.folder = folder.empty() ? "out/" + scene.name() : folder;
   options.wall_limit = wall_limit;
   const FolderLock lock(options.folder);
-  return tell(scene, run(scene, options), options.folder);
+  return tell(run(scene, options), options.folder);
 }
 
 }  // namespace brisance

@@ -24,7 +24,7 @@ struct SceneRequest {
 List load_scene(const SceneRequest& request);
 
 /// Prints how a run went. Returns the exit status.
-int tell(const List& scene, const RunResult& result, const std::filesystem::path& folder);
+int tell(const RunResult& result, const std::filesystem::path& folder);
 
 /// `wall_limit`: see RunOptions.
 int run_command(const SceneRequest& request, const std::string& folder, int threads,

@@ -86,9 +86,10 @@ void CrackPattern::observe(const ParticleTable& table, double time) {
     for (const double lambda : Columns(table).decohesion)
       if (lambda > 0) onset_ = time;
   for (const double p : table.pressure) pressure_ = std::max(pressure_, p);
+  last_ = pattern_of(table);
 }
 
-std::vector<Measure> CrackPattern::measures(const ParticleTable& table) const {
+std::map<std::string, double> CrackPattern::pattern_of(const ParticleTable& table) const {
   const Columns columns(table);
   const int across = 1 - along_;
   const bool plane = table.dim > 1;
@@ -127,20 +128,25 @@ std::vector<Measure> CrackPattern::measures(const ParticleTable& table) const {
   }
   double angle = axis.angle() - (along_ == 1 ? 90 : 0);
   if (angle < -90) angle += 180;
-  return with_values(measure_docs(),
-                     {{"asymmetry", plane ? relative(difference, failed) : 0},
-                      {"normal at the middle", angle},
-                      {"failure near the middle", relative(near, failed)},
-                      {"failed extent", extent},
-                      {"failed mass", failed},
-                      {"separated mass", separated},
-                      {"largest damage", largest_damage},
-                      {"largest strain rate", largest_rate},
-                      {"greatest pressure", pressure_},
-                      {"place of failure", apart > 0 ? place / apart : std::nan("")},
-                      {"first decohesion", onset_ > 0 ? onset_ : std::nan("")}});
+  return {{"asymmetry", plane ? relative(difference, failed) : 0},
+          {"normal at the middle", angle},
+          {"failure near the middle", relative(near, failed)},
+          {"failed extent", extent},
+          {"failed mass", failed},
+          {"separated mass", separated},
+          {"largest damage", largest_damage},
+          {"largest strain rate", largest_rate},
+          {"place of failure", apart > 0 ? place / apart : std::nan("")}};
 }
 
+std::vector<Measure> CrackPattern::measures() const {
+  auto values = last_;
+  values["greatest pressure"] = pressure_;
+  values["first decohesion"] = onset_ > 0 ? onset_ : std::nan("");
+  return with_values(measure_docs(), values);
+}
+
+// The pattern is that of the last output alone.
 void CrackPattern::keep(Archive& archive) {
   const Archive::Part part(archive, "cracks");
   archive.keep("pressure", pressure_);

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <stdexcept>
@@ -121,6 +122,17 @@ std::string read_file(const std::filesystem::path& path) {
   }
   if (std::ferror(file.get())) refuse(std::generic_category().message(errno));
   return text;
+}
+
+void expect_room(const std::filesystem::path& folder, const std::string& what, double bytes) {
+  std::error_code unknown;
+  const auto space = std::filesystem::space(folder, unknown);
+  const double needed = 1.2 * bytes;
+  if (unknown || static_cast<double>(space.available) >= needed) return;
+  char text[100];
+  std::snprintf(text, sizeof text, ": it takes %.0f MB and the disk has %.0f MB left",
+                std::ceil(needed / 1e6), std::floor(static_cast<double>(space.available) / 1e6));
+  throw std::runtime_error("cannot write " + what + text);
 }
 
 void make_folder(const std::filesystem::path& folder) {

@@ -45,6 +45,10 @@ void write_file(const std::filesystem::path& path, std::string_view text);
 /// The content of a file; std::runtime_error with one line if it cannot be read.
 std::string read_file(const std::filesystem::path& path);
 
+/// Throws std::runtime_error with one line unless the disk has room for so much in a folder, and a
+/// fifth more for what else is written meanwhile. `what` is to be written, for the message.
+void expect_room(const std::filesystem::path& folder, const std::string& what, double bytes);
+
 /// Makes a folder with its parents; it is fine if it exists. Throws one line naming the folder and
 /// the reason.
 void make_folder(const std::filesystem::path& folder);

@@ -6,6 +6,9 @@
 #include <cstdio>
 #include <limits>
 
+#include "drivers/files.hpp"
+#include "drivers/ledger.hpp"
+
 namespace brisance {
 namespace {
 
@@ -38,21 +41,8 @@ List valid_gauge(const std::vector<std::string>& materials, int dim) {
   return valid;
 }
 
-}  // namespace
-
-List Gauges::valid_parameters(const List* given, const std::vector<std::string>& materials,
-                              int dim) {
-  List valid;
-  declare(valid, "interval", 0.0, at_least_zero(),
-          "simulated time between samples, each taken at the first step that reaches its time; 0: "
-          "a thousandth of the run [s]");
-  if (!given) return valid;
-  for (const auto& name : list_names(*given))
-    declare_list(valid, name, "a gauge") = valid_gauge(materials, dim);
-  return valid;
-}
-
-void Gauges::check(const List& scene) {
+/// Refuses what does not fit the rest of a complete scene.
+void check_gauges(const List& scene) {
   const List& list = scene.sublist("gauges");
   const List& grid = scene.sublist("grid");
   const auto gauges = list_names(list);
@@ -73,6 +63,20 @@ void Gauges::check(const List& scene) {
   }
 }
 
+}  // namespace
+
+List Gauges::valid_parameters(const List* given, const std::vector<std::string>& materials,
+                              int dim) {
+  List valid;
+  declare(valid, "interval", 0.0, at_least_zero(),
+          "simulated time between samples, each taken at the first step that reaches its time; 0: "
+          "a thousandth of the run [s]");
+  if (!given) return valid;
+  for (const auto& name : list_names(*given))
+    declare_list(valid, name, "a gauge") = valid_gauge(materials, dim);
+  return valid;
+}
+
 std::vector<MeasureDoc> Gauges::measure_docs(const std::vector<std::string>& gauges) {
   std::vector<MeasureDoc> docs;
   for (const auto& name : gauges) {
@@ -89,6 +93,7 @@ Gauges::Gauges(const List& scene)
       end_(get<double>(scene.sublist("time"), "end")),
       cadence_(interval_of(scene)),
       table_("time") {
+  check_gauges(scene);
   const auto materials = list_names(scene.sublist("materials"));
   const List& list = scene.sublist("gauges");
   const char* const axes[] = {"x_", "y_", "z_"};
@@ -121,11 +126,15 @@ Gauges::Gauges(const List& scene)
   table_ += "\n";
 }
 
-void Gauges::observe(Simulation& simulation) {
+void Gauges::follow(Simulation& simulation) {
   const bool start = times_.empty();
   if (any_rides_ && !start) simulation.carry(windows_);
   const double time = simulation.time();
   if (cadence_.due(time) || start || time >= end_) sample(simulation);
+}
+
+void Gauges::write(const std::filesystem::path& folder) const {
+  write_file(folder / "gauges.csv", table_);
 }
 
 void Gauges::keep(Archive& archive) {

@@ -5,37 +5,35 @@
 #include <vector>
 
 #include "core/parameters.hpp"
-#include "drivers/archive.hpp"
 #include "drivers/cadence.hpp"
-#include "drivers/measure.hpp"
 #include "drivers/simulation.hpp"
+#include "drivers/watch.hpp"
 
 namespace brisance {
 
-class Gauges {
+class Gauges final : public Watch {
  public:
-  /// Of a complete scene that has the list.
+  /// Of a complete scene that has the list. Throws InputError for what does not fit the rest of it.
   explicit Gauges(const List& scene);
 
   /// The schema, from what was given (may be null).
   static List valid_parameters(const List* given, const std::vector<std::string>& materials,
                                int dim);
-  /// Refuses what does not fit the rest of a complete scene.
-  static void check(const List& scene);
   static std::vector<MeasureDoc> measure_docs(const std::vector<std::string>& gauges);
 
-  /// To be called at the start and after each step: moves gauges that ride, and samples when that
-  /// is due.
-  void observe(Simulation& simulation);
-  /// The record so far, for restart.
-  void keep(Archive& archive);
+  bool looks_at_particles() const override { return false; }
+  /// Moves gauges that ride, and samples when that is due.
+  void follow(Simulation& simulation) override;
+  /// The record so far.
+  void keep(Archive& archive) override;
+  void write(const std::filesystem::path& folder) const override;
 
   /// The samples as a table, one line for each time: time, then for each gauge NAME the columns
   /// x_NAME (y_NAME), pressure_NAME, overpressure_NAME, impulse_NAME, positive_impulse_NAME,
   /// velocity_x_NAME (velocity_y_NAME), points_NAME. [SI]
   const std::string& table() const { return table_; }
   /// In the order of measure_docs().
-  std::vector<Measure> measures() const;
+  std::vector<Measure> measures() const override;
 
  private:
   /// One gauge and its record.

@@ -9,6 +9,7 @@
 #include "drivers/input.hpp"
 #include "drivers/kernels.hpp"
 #include "drivers/presets.hpp"
+#include "drivers/run.hpp"
 #include "drivers/runtime.hpp"
 #include "drivers/scene.hpp"
 #include "drivers/simulation.hpp"
@@ -84,6 +85,8 @@ int check_command(const SceneRequest& request, int threads) {
   const auto simulation = make_simulation(scene, exact.get());
   const double end = get<double>(scene.sublist("time"), "end");
   const double steps = std::ceil(end / simulation->dt());
+  const OutputSize size = output_size(scene, *simulation);
+  OutputChoice::expect_within_limit(scene, size);
   simulation->advance(end);  // the first step's beginning is part of setting up
   const auto kernels = kernels_of([&] { simulation->advance(end); });
   const Footprint f = simulation->footprint();
@@ -91,6 +94,7 @@ int check_command(const SceneRequest& request, int threads) {
   std::printf("%s: %s\n", request.file.c_str(), get<std::string>(scene, "title").c_str());
   std::printf("cells      %.0f\nparticles  %.0f\n", f.cells, f.particles);
   std::printf("steps      about %.0f, from the fastest signal at the start\n", steps);
+  std::printf("output     %s\n", size.text().c_str());
   double bytes = 0;
   std::printf("columns    bytes a particle\n");
   for (const auto& column : f.columns) {

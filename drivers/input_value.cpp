@@ -77,8 +77,8 @@ std::string put(List& list, const std::string& name, const std::string& text) {
 }  // namespace
 
 const std::vector<std::string>& value_types() {
-  static const std::vector<std::string> types = {"double", "int",           "bool",
-                                                 "string", "Array(double)", "Array(int)"};
+  static const std::vector<std::string> types = {
+      "double", "int", "bool", "string", "Array(double)", "Array(int)", "Array(string)"};
   return types;
 }
 
@@ -90,6 +90,7 @@ std::string put_text(List& list, const std::string& name, const std::string& typ
   if (type == "string") return put<std::string>(list, name, text);
   if (type == "Array(double)") return put<Teuchos::Array<double>>(list, name, text);
   if (type == "Array(int)") return put<Teuchos::Array<int>>(list, name, text);
+  if (type == "Array(string)") return put<Teuchos::Array<std::string>>(list, name, text);
   return "has the unknown type '" + type + "'" + did_you_mean(type, value_types());
 }
 

@@ -5,27 +5,64 @@
 namespace brisance {
 namespace {
 
-std::map<std::string, int>* launched = nullptr;
-
-void note(const char* name, uint32_t, uint64_t*) {
-  if (launched) ++(*launched)[name];
-}
+namespace tools = Kokkos::Tools::Experimental;
+using Clock = std::chrono::steady_clock;
 
 }  // namespace
 
-std::map<std::string, int> kernels_of(const std::function<void()>& work) {
-  namespace tools = Kokkos::Tools::Experimental;
-  std::map<std::string, int> seen;
-  launched = &seen;
-  tools::set_begin_parallel_for_callback(note);
-  tools::set_begin_parallel_reduce_callback(note);
-  tools::set_begin_parallel_scan_callback(note);
-  work();
-  launched = nullptr;
+Kernels* Kernels::running = nullptr;
+
+void Kernels::begin(const char* name, std::uint32_t, std::uint64_t* kernel) {
+  Kernels& k = *running;
+  const auto known = k.places_.find(name);
+  if (known != k.places_.end()) {
+    *kernel = known->second;
+  } else {
+    *kernel = k.all_.size();
+    k.all_.push_back({name});
+    k.places_.emplace(k.all_.back().name, *kernel);
+  }
+  k.begun_ = Clock::now();
+}
+
+void Kernels::end(std::uint64_t kernel) {
+  const auto now = Clock::now();
+  Kernel& k = running->all_[kernel];
+  ++k.launches;
+  k.seconds += std::chrono::duration<double>(now - running->begun_).count();
+}
+
+void Kernels::start() {
+  if (tools::get_callbacks().begin_parallel_for) return;
+  running = this;
+  tools::set_begin_parallel_for_callback(begin);
+  tools::set_begin_parallel_reduce_callback(begin);
+  tools::set_begin_parallel_scan_callback(begin);
+  tools::set_end_parallel_for_callback(end);
+  tools::set_end_parallel_reduce_callback(end);
+  tools::set_end_parallel_scan_callback(end);
+}
+
+void Kernels::stop() {
+  if (running != this) return;
+  running = nullptr;
   tools::set_begin_parallel_for_callback(nullptr);
   tools::set_begin_parallel_reduce_callback(nullptr);
   tools::set_begin_parallel_scan_callback(nullptr);
-  return seen;
+  tools::set_end_parallel_for_callback(nullptr);
+  tools::set_end_parallel_reduce_callback(nullptr);
+  tools::set_end_parallel_scan_callback(nullptr);
+}
+
+std::map<std::string, int> kernels_of(const std::function<void()>& work) {
+  Kernels kernels;
+  kernels.start();
+  work();
+  kernels.stop();
+  std::map<std::string, int> launches;
+  for (const auto& kernel : kernels.all())
+    launches[kernel.name] = static_cast<int>(kernel.launches);
+  return launches;
 }
 
 }  // namespace brisance

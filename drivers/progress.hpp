@@ -60,6 +60,8 @@ class Progress {
 
   /// A line about the run, on the screen and in the log.
   void note(const std::string& line) { plain(line, !options_.quiet); }
+  /// In the log alone.
+  void log(const std::string& line) { plain(line, false); }
 
   /// Particle-steps per second of wall time since the start.
   double rate() const;

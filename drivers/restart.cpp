@@ -8,6 +8,7 @@
 #include "drivers/commands.hpp"
 #include "drivers/folder_lock.hpp"
 #include "drivers/input.hpp"
+#include "drivers/output_times.hpp"
 #include "drivers/run.hpp"
 #include "drivers/runtime.hpp"
 #include "drivers/scene.hpp"
@@ -46,7 +47,8 @@ List changed_scene(const Checkpoint& checkpoint, const std::string& file,
         throw InputError("time", "end", text_of(request.until),
                          "must be after the checkpoint's " + text_of(checkpoint.head.time) + " s",
                          "--until");
-      fix_interval(given.sublist("output"), "interval", end / 10);
+      List& output = given.sublist("output");
+      if (!OutputTimes::by_steps(output)) fix_interval(output, "interval", end / 10);
       if (find_list(given, "gauges")) fix_interval(given.sublist("gauges"), "interval", end / 1000);
       time.set("end", request.until);
       notes.push_back("ends at " + text_of(request.until) + " s instead of " + text_of(end) + " s");
@@ -93,7 +95,7 @@ int restart_command(const RestartRequest& request, int threads, double wall_limi
   options.notes.push_back("goes on from step " + std::to_string(head.step) + ", checkpoint '" +
                           found.file.string() + "'");
   options.resume = &found.checkpoint.archive;
-  return tell(scene, run(scene, options), options.folder);
+  return tell(run(scene, options), options.folder);
 }
 
 }  // namespace brisance

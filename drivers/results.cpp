@@ -1,9 +1,9 @@
 #include "drivers/results.hpp"
 
 #include <Teuchos_ParameterList.hpp>
-#include <cmath>
+#include <algorithm>
+#include <cfloat>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "drivers/files.hpp"
@@ -13,9 +13,10 @@
 namespace brisance {
 namespace {
 
-std::vector<double> interleaved(const std::vector<double>& x, const std::vector<double>& y,
-                                const std::vector<double>& z) {
-  std::vector<double> all;
+using Doubles = std::vector<double>;
+
+Doubles interleaved(const Doubles& x, const Doubles& y, const Doubles& z) {
+  Doubles all;
   all.reserve(3 * x.size());
   for (std::size_t k = 0; k < x.size(); ++k) all.insert(all.end(), {x[k], y[k], z[k]});
   return all;
@@ -62,21 +63,44 @@ void keep_series(Archive& archive, const std::string& name, const std::string& e
   series.resume(std::move(entries));
 }
 
-/// A number as JSON has it: null for what is not finite.
-nlohmann::json json(double value) {
-  return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();
-}
+/// The columns of one file, as far as they were chosen and as precise.
+class Columns {
+ public:
+  explicit Columns(const OutputChoice& choice) : choice_(choice) {}
+
+  vtk::Column column(const std::string& name, int components, const Doubles& values) const {
+    if (!choice_.single()) return vtk::Column(name, components, values);
+    std::vector<float> rounded(values.size());
+    // What is too large for a float must not become infinite.
+    std::transform(values.begin(), values.end(), rounded.begin(), [](double value) {
+      return static_cast<float>(std::clamp<double>(value, -FLT_MAX, FLT_MAX));
+    });
+    return vtk::Column(name, components, rounded);
+  }
+  void add(const std::string& name, const Doubles& values) {
+    if (choice_.has(name)) all.push_back(column(name, 1, values));
+  }
+  /// `make` gives the numbers, if they are wanted.
+  template <class F>
+  void add_vector(const std::string& name, const F& make) {
+    if (choice_.has(name)) all.push_back(column(name, 3, make()));
+  }
+  template <class T>
+  void add_whole(const std::string& name, const std::vector<T>& values) {
+    if (choice_.has(name)) all.emplace_back(name, values);
+  }
+
+  std::vector<vtk::Column> all;
+
+ private:
+  const OutputChoice& choice_;
+};
 
 }  // namespace
 
 Results::Results(const std::filesystem::path& folder, const List& scene, const Ledger& ledger)
     : folder_(folder),
-      scene_(scene.name()),
-      title_(get<std::string>(scene, "title")),
-      geometry_(get<std::string>(scene, "geometry")),
-      cell_size_(get<double>(scene.sublist("grid"), "cell size")),
-      particles_(get<bool>(scene.sublist("output"), "particles")),
-      grid_(get<bool>(scene.sublist("output"), "grid")),
+      choice_(scene),
       particle_series_(folder / "particles.pvd"),
       grid_series_(folder / "grid.pvd"),
       history_(ledger.head()) {
@@ -87,43 +111,51 @@ Results::Results(const std::filesystem::path& folder, const List& scene, const L
 }
 
 void Results::add(const Snapshot& shot) {
+  if (choice_.particles()) add_particles(shot);
+  if (choice_.grid()) add_grid(shot);
+}
+
+void Results::add_particles(const Snapshot& shot) {
   const ParticleTable& t = shot.table;
-  if (particles_) {
-    std::vector<vtk::Column> columns = {
-        vtk::Column("velocity", 3, interleaved(t.vx, t.vy, t.vz)),
-        vtk::Column("mass", t.mass),
-        vtk::Column("volume", t.volume),
-        vtk::Column("density", t.density),
-        vtk::Column("pressure", t.pressure),
-        vtk::Column("energy", t.energy),
-        vtk::Column("material", std::vector<std::int32_t>(t.material.begin(), t.material.end())),
-        vtk::Column("id", shot.id)};
-    for (const auto& field : t.fields) columns.emplace_back(field.name, field.values);
-    const std::string file = numbered("particles", particle_series_.entries().size(), ".vtp");
-    vtk::write_vtp(folder_ / file, interleaved(t.x, t.y, t.z), columns);
-    particle_series_.add(shot.time, folder_ / file);
+  Columns columns(choice_);
+  columns.add_vector("velocity", [&] { return interleaved(t.vx, t.vy, t.vz); });
+  columns.add("mass", t.mass);
+  columns.add("volume", t.volume);
+  columns.add("density", t.density);
+  columns.add("pressure", t.pressure);
+  columns.add("energy", t.energy);
+  columns.add_whole("material", std::vector<std::int32_t>(t.material.begin(), t.material.end()));
+  columns.add_whole("id", shot.id);
+  for (const auto& field : t.fields) columns.add(field.name, field.values);
+  const std::string file = numbered("particles", particle_series_.entries().size(), ".vtp");
+  vtk::write_vtp(folder_ / file, columns.column("Points", 3, interleaved(t.x, t.y, t.z)),
+                 columns.all);
+  particle_series_.add(shot.time, folder_ / file);
+}
+
+void Results::add_grid(const Snapshot& shot) {
+  const ParticleTable& t = shot.table;
+  Doubles fill, density, pressure, energy, velocity;
+  double cell = 1;
+  for (int d = 0; d < t.dim; ++d) cell *= t.cell_size;
+  for (const Sums& s : sums_per_cell(t)) {
+    const bool empty = s.empty();
+    fill.push_back(s.volume / cell);
+    density.push_back(empty ? 0 : s.mean_density());
+    pressure.push_back(empty ? 0 : s.mean_pressure());
+    energy.push_back(empty ? 0 : s.mean_energy());
+    for (const double v : empty ? std::array<double, 3>{} : s.mean_velocity())
+      velocity.push_back(v);
   }
-  if (grid_) {
-    const auto sums = sums_per_cell(t);
-    std::vector<double> fill, density, pressure, energy, velocity;
-    double cell = 1;
-    for (int d = 0; d < t.dim; ++d) cell *= t.cell_size;
-    for (const Sums& s : sums) {
-      const bool empty = s.empty();
-      fill.push_back(s.volume / cell);
-      density.push_back(empty ? 0 : s.mean_density());
-      pressure.push_back(empty ? 0 : s.mean_pressure());
-      energy.push_back(empty ? 0 : s.mean_energy());
-      for (const double v : empty ? std::array<double, 3>{} : s.mean_velocity())
-        velocity.push_back(v);
-    }
-    const std::string file = numbered("grid", grid_series_.entries().size(), ".vti");
-    vtk::write_vti(folder_ / file, box_of(t), {},
-                   {vtk::Column("fill", fill), vtk::Column("density", density),
-                    vtk::Column("pressure", pressure), vtk::Column("energy", energy),
-                    vtk::Column("velocity", 3, velocity)});
-    grid_series_.add(shot.time, folder_ / file);
-  }
+  Columns columns(choice_);
+  columns.add("fill", fill);
+  columns.add("density", density);
+  columns.add("pressure", pressure);
+  columns.add("energy", energy);
+  columns.add_vector("velocity", [&] { return velocity; });
+  const std::string file = numbered("grid", grid_series_.entries().size(), ".vti");
+  vtk::write_vti(folder_ / file, box_of(t), {}, columns.all);
+  grid_series_.add(shot.time, folder_ / file);
 }
 
 void Results::add(const Ledger& ledger, const Balance& balance) {
@@ -159,42 +191,6 @@ void Results::write_exact(const ExactSolution& exact, const Snapshot& shot) {
     text += line;
   }
   write_file(folder_ / "exact.csv", text);
-}
-
-void Results::write_summary(const Outcome& outcome, const Ledger& ledger, const Balance& b) {
-  nlohmann::ordered_json j;
-  j["scene"] = scene_;
-  j["title"] = title_;
-  j["geometry"] = geometry_;
-  j["cell_size"] = cell_size_;
-  j["version"] = version::number;
-  j["commit"] = version::commit;
-  j["status"] = outcome.status;
-  j["steps"] = b.step;
-  j["time"] = b.time;
-  j["particles"] = b.particles;
-  j["wall_seconds"] = json(outcome.wall_seconds);
-  j["cpu_seconds"] = json(outcome.cpu_seconds);
-  j["particle_steps_per_second"] = json(outcome.particle_steps / outcome.wall_seconds);
-  if (outcome.asleep) {
-    j["asleep"] = json(outcome.share_asleep());
-    j["asleep_impulse"] = json(outcome.asleep->impulse);
-  }
-  j["mass_error"] = json(ledger.mass_error(b));
-  j["momentum_error"] = json(ledger.momentum_error(b));
-  j["energy_error"] = json(ledger.energy_error(b));
-  j["floors"] = b.floors;
-  j["outflow_mass"] = json(b.outflow.mass);
-  for (const Measure& m : outcome.measures)
-    j["measures"][m.name] = {{"value", json(m.value)}, {"unit", m.unit}};
-  j["checks"] = nlohmann::ordered_json::array();
-  for (const Verdict& v : outcome.verdicts)
-    j["checks"].push_back({{"quantity", v.quantity},
-                           {"value", json(v.measured)},
-                           {"unit", v.unit},
-                           {"limit", v.limit()},
-                           {"verdict", v.reached() ? "reached" : "missed"}});
-  write_file(folder_ / "summary.json", j.dump(2) + "\n");
 }
 
 }  // namespace brisance

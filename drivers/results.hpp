@@ -1,38 +1,16 @@
 #pragma once
 // The folder of a run: what people open afterwards.
-#include <algorithm>
 #include <filesystem>
-#include <optional>
 #include <string>
-#include <vector>
 
 #include "core/parameters.hpp"
-#include "drivers/checks.hpp"
 #include "drivers/exact.hpp"
 #include "drivers/ledger.hpp"
+#include "drivers/output_choice.hpp"
 #include "drivers/simulation.hpp"
 #include "drivers/vtk.hpp"
 
 namespace brisance {
-
-/// How a run ended, for summary.json.
-struct Outcome {
-  std::string status;  ///< "finished", "interrupted"
-  double wall_seconds = 0, cpu_seconds = 0, particle_steps = 0;
-  /// Where the scene lets gas sleep.
-  struct Asleep {
-    double particle_steps = 0;  ///< that were not computed
-    double impulse = 0;         ///< see Simulation::Sleeping [N s]
-  };
-  std::optional<Asleep> asleep;
-  std::vector<Measure> measures;
-  std::vector<Verdict> verdicts;
-
-  /// Of all particle-steps. [-]
-  double share_asleep() const {
-    return asleep->particle_steps / std::max(1.0, asleep->particle_steps + particle_steps);
-  }
-};
 
 /// Writes into one folder; all failures throw std::runtime_error with one line.
 class Results {
@@ -47,7 +25,6 @@ class Results {
   void note(const Ledger& ledger, const Balance& balance) { history_ += ledger.line(balance); }
   /// The exact solution along the scene at its end, for plots.
   void write_exact(const ExactSolution& exact, const Snapshot& shot);
-  void write_summary(const Outcome& outcome, const Ledger& ledger, const Balance& balance);
 
   /// What has been written so far, for restart: histories and series go on from there, and what is
   /// numbered beyond is deleted.
@@ -57,11 +34,12 @@ class Results {
 
  private:
   std::filesystem::path folder_;
-  std::string scene_, title_, geometry_;
-  double cell_size_;
-  bool particles_, grid_;
+  OutputChoice choice_;
   vtk::Series particle_series_, grid_series_;
   std::string history_;
+
+  void add_particles(const Snapshot& shot);
+  void add_grid(const Snapshot& shot);
 };
 
 }  // namespace brisance

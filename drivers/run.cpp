@@ -2,21 +2,18 @@
 
 #include <Teuchos_ParameterList.hpp>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <ctime>
 #include <optional>
 
-#include "drivers/cadence.hpp"
 #include "drivers/checkpoint.hpp"
-#include "drivers/cracks.hpp"
 #include "drivers/files.hpp"
-#include "drivers/gauges.hpp"
 #include "drivers/input.hpp"
 #include "drivers/progress.hpp"
+#include "drivers/recording.hpp"
 #include "drivers/runtime.hpp"
-#include "drivers/simulation.hpp"
-#include "drivers/watch.hpp"
 #include "version.hpp"
 
 namespace brisance {
@@ -39,180 +36,206 @@ CheckpointHead head_of(const List& scene, const Simulation& simulation) {
   return head;
 }
 
+std::unique_ptr<ExactSolution> exact_of(const List& scene) {
+  const List* list = find_list(scene, "exact");
+  return list ? make_exact(*list) : nullptr;
+}
+
+std::vector<long> count_materials(const Snapshot& shot, std::size_t materials) {
+  std::vector<long> count(materials);
+  for (const int m : shot.table.material) ++count[m];
+  return count;
+}
+
+/// One run: all that it consists of, and the order of things.
+class Run {
+ public:
+  Run(const List& scene, const RunOptions& options)
+      : scene_(scene),
+        options_(options),
+        exact_(exact_of(scene)),
+        simulation_(
+            keeper_.on(TimeKeeper::set_up, [&] { return make_simulation(scene, exact_.get()); })),
+        end_(get<double>(scene.sublist("time"), "end")),
+        ledger_(simulation_->balance()),
+        recording_(scene, *simulation_, ledger_, exact_.get(), keeper_) {}
+
+  RunResult go() {
+    begin();
+    if (!options_.resume) {
+      recording_.follow();
+      recording_.output_if_seen();
+    } else if (simulation_->time() < end_) {
+      recording_.output_if_due();  // owed by a run that goes on beyond its former end
+    }
+    while (simulation_->time() < end_ && !stopped()) {
+      step();
+      if (simulation_->time() >= end_) break;
+      recording_.output_if_due();
+      if (checkpoints_ && checkpoints_->due(simulation_->step_count(), simulation_->time())) save();
+    }
+    return finish();
+  }
+
+ private:
+  TimeKeeper keeper_;  // first: it counts from here
+  const List& scene_;
+  const RunOptions& options_;
+  const std::unique_ptr<ExactSolution> exact_;
+  const std::unique_ptr<Simulation> simulation_;
+  const double end_;  // [s]
+  Ledger ledger_;
+  Recording recording_;
+  std::optional<Checkpoints> checkpoints_;
+  std::optional<Progress> progress_;
+  RunResult result_;
+  Outcome& outcome_ = result_.outcome;
+  double slept_ = 0;  // particle-steps
+
+  std::chrono::steady_clock::time_point started_;
+  double wall_before_ = 0, cpu_before_ = 0;  // spent before this process or its first step [s]
+
+  long awake() const {
+    const auto sleeping = simulation_->sleeping();
+    return simulation_->particle_count() - (sleeping ? sleeping->particles : 0);
+  }
+  Standing standing() const {
+    return {simulation_->time(), simulation_->dt(), simulation_->step_count(), awake()};
+  }
+  double wall_seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
+  }
+  void spend() {
+    outcome_.wall_seconds = wall_before_ + wall_seconds();
+    outcome_.cpu_seconds = cpu_before_ + cpu_seconds();
+  }
+  bool stopped() const {
+    return stop_requested() || (options_.wall_limit > 0 && wall_seconds() >= options_.wall_limit);
+  }
+
+  /// All that outlives a step, in either direction.
+  void keep(Archive& archive) {
+    simulation_->keep(archive);
+    ledger_.keep(archive);
+    recording_.keep(archive);
+    if (checkpoints_) checkpoints_->keep(archive);
+    const Archive::Part part(archive, "spent");
+    archive.keep("wall seconds", outcome_.wall_seconds);
+    archive.keep("cpu seconds", outcome_.cpu_seconds);
+    archive.keep("particle steps", outcome_.particle_steps);
+    archive.keep("slept", slept_);
+  }
+
+  /// Refuses what the disk has no room for, opens the folder, and takes up a checkpoint.
+  void begin() {
+    const bool writes = !options_.folder.empty();
+    bool others = false;
+    if (writes) {
+      if (!options_.resume) expect_room_for_output();  // before anything is touched
+      others = !options_.resume && set_aside_checkpoints(options_.folder);
+      recording_.open(options_.folder, scene_);
+      checkpoints_.emplace(scene_, options_.folder);
+    }
+    Progress::Options shown;
+    shown.end = end_;
+    shown.quiet = options_.quiet;
+    if (writes) shown.log = options_.folder / "log.txt";
+    if (options_.resume) {
+      keep(*options_.resume);
+      if (writes) expect_room_for_output();
+      shown.resumed_at = simulation_->time();
+      outcome_.resumed = true;
+    }
+    progress_.emplace(shown);
+    if (others) progress_->note("checkpoints of an earlier run are now in 'checkpoints.before'");
+    for (const auto& line : options_.notes) progress_->note(line);
+    started_ = std::chrono::steady_clock::now();
+    wall_before_ = outcome_.wall_seconds;
+    cpu_before_ = outcome_.cpu_seconds - cpu_seconds();
+  }
+
+  void expect_room_for_output() const {
+    const OutputSize size = output_size(scene_, *simulation_);
+    OutputChoice::expect_within_limit(scene_, size);
+    make_folder(options_.folder);
+    expect_room(options_.folder, "the output into '" + options_.folder.string() + "'", size.all());
+  }
+
+  void step() {
+    keeper_.step([&] { simulation_->advance(end_); });
+    recording_.follow();
+    const double awake_now = static_cast<double>(awake());
+    outcome_.particle_steps += awake_now;
+    slept_ += static_cast<double>(simulation_->particle_count()) - awake_now;
+    progress_->update(standing());
+  }
+
+  /// A disk that is full must not end a run that can go on.
+  bool save() {
+    return keeper_.on(TimeKeeper::checkpoints, [&] {
+      try {
+        spend();
+        Archive archive;
+        keep(archive);
+        checkpoints_->write(head_of(scene_, *simulation_), std::move(archive));
+        return true;
+      } catch (const std::exception& error) {
+        progress_->note(std::string("no checkpoint: ") + error.what());
+        return false;
+      }
+    });
+  }
+
+  RunResult finish() {
+    outcome_.status = simulation_->time() < end_ ? "interrupted" : "finished";
+    // Before the last output, which a run that goes on from here must not find twice.
+    if (checkpoints_ && outcome_.status == "interrupted")
+      result_.resumable = save();
+    else if (checkpoints_ && checkpoints_->due_at_end())
+      save();
+    spend();
+    progress_->finish(standing());
+    if (const auto sleeping = simulation_->sleeping()) {
+      outcome_.asleep = {slept_, sleeping->impulse};
+      char text[60];
+      std::snprintf(text, sizeof text, "asleep: %.3g %% of particle-steps saved",
+                    100 * outcome_.share_asleep());
+      progress_->note(text);
+    }
+    const Balance& end = result_.end = simulation_->balance();
+    result_.cell_size = get<double>(scene_.sublist("grid"), "cell size");
+    const Snapshot shot = recording_.output();
+    measure(shot);
+    recording_.write_exact(shot);
+    outcome_.spent = keeper_.so_far();
+    if (!options_.folder.empty())
+      write_file(options_.folder / "summary.json", summary_text(scene_, outcome_, ledger_, end));
+    result_.report = report(scene_, outcome_, ledger_, end, options_.folder);
+    for (const auto& line : result_.report) progress_->log(line);
+    return std::move(result_);
+  }
+
+  void measure(const Snapshot& shot) {
+    outcome_.particles = count_materials(shot, result_.end.materials.size());
+    outcome_.measures = ledger_.measures(result_.end);
+    for (const Measure& m : recording_.measures(shot)) outcome_.measures.push_back(m);
+    if (outcome_.status == "finished")
+      outcome_.verdicts = judge(find_list(scene_, "checks"), outcome_.measures);
+  }
+};
+
 }  // namespace
 
 void request_stop() { stop_flag = 1; }
 bool stop_requested() { return stop_flag; }
 
-RunResult run(const List& scene, const RunOptions& options) {
-  const List* exact_list = find_list(scene, "exact");
-  const auto exact = exact_list ? make_exact(*exact_list) : nullptr;
-  const auto simulation = make_simulation(scene, exact.get());
-  const double end = get<double>(scene.sublist("time"), "end");
-  Ledger ledger(simulation->balance());
-
-  std::optional<Results> results;
-  std::optional<Checkpoints> checkpoints;
-  const bool others =
-      !options.folder.empty() && !options.resume && set_aside_checkpoints(options.folder);
-  if (!options.folder.empty()) {
-    results.emplace(options.folder, scene, ledger);
-    checkpoints.emplace(scene, options.folder);
-  }
-  const List* crack_list = find_list(scene, "cracks");
-  std::optional<CrackPattern> cracks;
-  if (crack_list) cracks.emplace(*crack_list);
-  const auto watches = make_watches(scene);
-  std::optional<Gauges> gauges;
-  if (find_list(scene, "gauges")) gauges.emplace(scene);
-  const auto write = [&](const Snapshot& shot) {
-    if (cracks) cracks->observe(shot.table, shot.time);
-    for (const auto& watch : watches) watch->observe(shot.table, shot.time);
-    if (!results) return;
-    for (const auto& watch : watches) watch->write(results->folder());
-    results->add(shot);
-    results->add(ledger, simulation->balance());
-    if (gauges) write_file(options.folder / "gauges.csv", gauges->table());
-  };
-  const auto output = [&] {
-    if (results || cracks || !watches.empty()) write(simulation->snapshot());
-  };
-
-  Progress::Options shown;
-  shown.end = end;
-  shown.quiet = options.quiet;
-  if (results) shown.log = options.folder / "log.txt";
-  const auto awake = [&] {
-    const auto sleeping = simulation->sleeping();
-    return simulation->particle_count() - (sleeping ? sleeping->particles : 0);
-  };
-  const auto standing = [&] {
-    return Standing{simulation->time(), simulation->dt(), simulation->step_count(), awake()};
-  };
-
-  const double interval = get<double>(scene.sublist("output"), "interval");
-  Cadence cadence(interval > 0 ? interval : end / 10);
-  const double between = get<double>(scene.sublist("output"), "history interval");
-  Cadence history(results && between > 0 ? between : 2 * end);
-  RunResult result;
-  Outcome& outcome = result.outcome;
-  double slept = 0;  // particle-steps
-  const bool recorded = exact && exact->records();
-
-  // All that outlives a step, in either direction.
-  const auto keep = [&](Archive& archive) {
-    simulation->keep(archive);
-    ledger.keep(archive);
-    if (recorded) dynamic_cast<Remembers&>(*exact).keep(archive);
-    if (cracks) cracks->keep(archive);
-    for (const auto& watch : watches) watch->keep(archive);
-    if (gauges) gauges->keep(archive);
-    cadence.keep(archive, "output");
-    history.keep(archive, "history");
-    if (checkpoints) checkpoints->keep(archive);
-    if (results) results->keep(archive);
-    const Archive::Part part(archive, "spent");
-    archive.keep("wall seconds", outcome.wall_seconds);
-    archive.keep("cpu seconds", outcome.cpu_seconds);
-    archive.keep("particle steps", outcome.particle_steps);
-    archive.keep("slept", slept);
-  };
-  if (options.resume) {
-    keep(*options.resume);
-    shown.resumed_at = simulation->time();
-  }
-  Progress progress(shown);
-  if (others) progress.note("checkpoints of an earlier run are now in 'checkpoints.before'");
-  for (const auto& line : options.notes) progress.note(line);
-
-  const auto started = std::chrono::steady_clock::now();
-  const double wall_before = outcome.wall_seconds, cpu_before = outcome.cpu_seconds - cpu_seconds();
-  const auto wall_seconds = [&] {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
-  };
-  const auto spend = [&] {
-    outcome.wall_seconds = wall_before + wall_seconds();
-    outcome.cpu_seconds = cpu_before + cpu_seconds();
-  };
-  // A disk that is full must not end a run that can go on.
-  const auto save = [&] {
-    try {
-      spend();
-      Archive archive;
-      keep(archive);
-      checkpoints->write(head_of(scene, *simulation), std::move(archive));
-      return true;
-    } catch (const std::exception& error) {
-      progress.note(std::string("no checkpoint: ") + error.what());
-      return false;
-    }
-  };
-  const auto output_if_due = [&] {
-    const bool noted = history.due(simulation->time());
-    if (cadence.due(simulation->time()))
-      output();
-    else if (noted)
-      results->note(ledger, simulation->balance());
-  };
-  if (!options.resume) {
-    if (gauges) gauges->observe(*simulation);
-    if (recorded) exact->record(simulation->balance());
-    output();
-  } else if (simulation->time() < end) {
-    output_if_due();  // a run that goes on beyond its former end owes the output there
-  }
-  const auto stopped = [&] {
-    return stop_requested() || (options.wall_limit > 0 && wall_seconds() >= options.wall_limit);
-  };
-  while (simulation->time() < end && !stopped()) {
-    simulation->advance(end);
-    if (gauges) gauges->observe(*simulation);
-    if (recorded) exact->record(simulation->balance());
-    outcome.particle_steps += static_cast<double>(awake());
-    slept += static_cast<double>(simulation->particle_count() - awake());
-    progress.update(standing());
-    if (simulation->time() >= end) break;
-    output_if_due();
-    if (checkpoints && checkpoints->due(simulation->step_count(), simulation->time())) save();
-  }
-  outcome.status = simulation->time() < end ? "interrupted" : "finished";
-  // Before the last output, which a run that goes on from here must not find twice.
-  if (checkpoints && outcome.status == "interrupted")
-    result.resumable = save();
-  else if (checkpoints && checkpoints->due_at_end())
-    save();
-  spend();
-  progress.finish(standing());
-  if (const auto sleeping = simulation->sleeping()) {
-    result.outcome.asleep = {slept, sleeping->impulse};
-    char text[60];
-    std::snprintf(text, sizeof text, "asleep: %.3g %% of particle-steps saved",
-                  100 * result.outcome.share_asleep());
-    progress.note(text);
-  }
-
-  result.end = simulation->balance();
-  if (result.end.left > 0) progress.note(ledger.departures(result.end));
-  result.cell_size = get<double>(scene.sublist("grid"), "cell size");
-  const Snapshot shot = simulation->snapshot();
-  write(shot);
-  result.outcome.measures = ledger.measures(result.end);
-  if (exact)
-    for (const Measure& m : exact->measures(shot.table, shot.time))
-      result.outcome.measures.push_back(m);
-  if (cracks)
-    for (const Measure& m : cracks->measures(shot.table)) result.outcome.measures.push_back(m);
-  for (const auto& watch : watches)
-    for (const Measure& m : watch->measures()) result.outcome.measures.push_back(m);
-  if (gauges)
-    for (const Measure& m : gauges->measures()) result.outcome.measures.push_back(m);
-  if (result.outcome.status == "finished")
-    result.outcome.verdicts = judge(find_list(scene, "checks"), result.outcome.measures);
-  if (results) {
-    if (exact) results->write_exact(*exact, shot);
-    results->write_summary(result.outcome, ledger, result.end);
-  }
-  return result;
+OutputSize output_size(const List& scene, const Simulation& simulation) {
+  const Footprint f = simulation.footprint();
+  const double left = get<double>(scene.sublist("time"), "end") - simulation.time();
+  return OutputChoice(scene).size(f.particles, f.cells, std::ceil(left / simulation.dt()),
+                                  simulation.time());
 }
+
+RunResult run(const List& scene, const RunOptions& options) { return Run(scene, options).go(); }
 
 }  // namespace brisance

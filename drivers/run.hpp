@@ -6,7 +6,9 @@
 
 #include "core/parameters.hpp"
 #include "drivers/archive.hpp"
-#include "drivers/results.hpp"
+#include "drivers/output_choice.hpp"
+#include "drivers/simulation.hpp"
+#include "drivers/summary.hpp"
 
 namespace brisance {
 
@@ -22,6 +24,7 @@ struct RunResult {
   Outcome outcome;
   Balance end;
   double cell_size = 0;     // [m]
+  std::vector<std::string> report;  ///< lines for people, see summary.hpp
   bool resumable = false;  ///< interrupted, and a checkpoint tells where to go on
 };
 
@@ -29,6 +32,9 @@ struct RunResult {
 /// then the output so far is complete, a checkpoint is in the folder, if there is one, and the
 /// status is "interrupted".
 RunResult run(const List& scene, const RunOptions& options);
+
+/// What the run of a scene will write, from the first step on that its simulation is about to take.
+OutputSize output_size(const List& scene, const Simulation& simulation);
 
 /// Asks running loops to stop after the step they are in; safe in a signal handler.
 void request_stop();

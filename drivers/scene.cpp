@@ -7,11 +7,10 @@
 
 #include "core/transfer.hpp"
 #include "drivers/checkpoint.hpp"
-#include "drivers/cracks.hpp"
 #include "drivers/exact.hpp"
-#include "drivers/gauges.hpp"
 #include "drivers/ledger.hpp"
 #include "drivers/lighting.hpp"
+#include "drivers/output_choice.hpp"
 #include "drivers/plausible.hpp"
 #include "drivers/presets.hpp"
 #include "drivers/shapes.hpp"
@@ -145,16 +144,6 @@ List valid_body(const List& given, const List& materials, int dim) {
   return valid;
 }
 
-void add_output(List& valid) {
-  List& output = declare_list(valid, "output", "what is written while the run goes on");
-  declare(output, "interval", 0.0, at_least_zero(),
-          "simulated time between outputs; 0: a tenth of the run [s]");
-  declare(output, "history interval", 0.0, at_least_zero(),
-          "simulated time between further lines of history.csv; 0: only at outputs [s]");
-  declare(output, "particles", true, anything(), "particles, as .vtp [-]");
-  declare(output, "grid", true, anything(), "nodes and cells, as .vti [-]");
-}
-
 void add_range(List& list, const MeasureDoc& measure) {
   List& range = declare_optional_list(list, measure.name, measure.doc);
   const std::string unit = " [" + (measure.unit.empty() ? std::string("-") : measure.unit) + "]";
@@ -167,10 +156,6 @@ void add_range(List& list, const MeasureDoc& measure) {
 /// What of a scene is measured beyond its balances.
 std::vector<MeasureDoc> special_measures(const List& given, const List* exact, int dim) {
   std::vector<MeasureDoc> docs = watch_docs(given);
-  if (find_list(given, "cracks"))
-    for (const auto& measure : CrackPattern::measure_docs()) docs.push_back(measure);
-  if (const List* gauges = find_list(given, "gauges"))
-    for (const auto& measure : Gauges::measure_docs(list_names(*gauges))) docs.push_back(measure);
   if (!exact) return docs;
   const auto solution = make_exact(check(*exact, valid_exact(*exact)));
   if (solution->least_dim() > dim) refuse(*exact, "solution", "needs a grid of more directions");
@@ -289,19 +274,15 @@ List valid_scene(const List& given) {
   for (const auto& name : list_names(empty_or(find_list(given, "springs"))))
     declare_list(springs, name, "a spring") = valid_spring(list_names(given_materials), dim);
 
-  add_output(valid);
+  declare_list(valid, "output", "what is written while the run goes on") =
+      OutputChoice::valid_parameters(given_materials, dim);
   declare_optional_list(valid, "checkpoint", "states of the run, from which it can go on later") =
       Checkpoints::valid_parameters();
   const List* exact = find_list(given, "exact");
   List& exact_list =
       declare_optional_list(valid, "exact", "the known answer that the run is measured against");
   if (exact) exact_list = valid_exact(*exact);
-  declare_optional_list(valid, "cracks", "measures what a hit does to concrete") =
-      CrackPattern::valid_parameters(dim);
-  declare_watches(valid, list_names(given_materials), dim);
-  const List* gauges = find_list(given, "gauges");
-  declare_optional_list(valid, "gauges", "what matter is like at some places against time") =
-      Gauges::valid_parameters(gauges, list_names(given_materials), dim);
+  declare_watches(valid, given, list_names(given_materials), dim);
   add_checks(valid, given, given_materials, exact, dim);
   return valid;
 }
@@ -315,9 +296,9 @@ List complete_scene(const List& given) {
   check_scheme(scene);
   check_springs(scene);
   check_bodies(scene);
+  OutputChoice::check(scene.sublist("output"));
   if (const List* ignition = find_list(scene, "ignition")) check_ignition(*ignition);
   make_watches(scene);  // each refuses what it cannot watch
-  if (find_list(scene, "gauges")) Gauges::check(scene);
   check_plausible(scene);
   return scene;
 }

@@ -278,9 +278,9 @@ class SimulationIn final : public Simulation {
       append(field->values, values);
     };
     if (group.stress() == Stress::tensor) {
-      const char* const components[] = {"xx", "yy", "zz", "xy", "yz", "zx"};
+      const auto components = stress_names(G::stress_components);
       for (int k = 0; k < G::stress_components; ++k)
-        append_field({std::string("stress ") + components[k], "Pa"}, part(p.stress, k));
+        append_field({components[k], "Pa"}, part(p.stress, k));
     }
     const auto names = group.history_fields();
     for (std::size_t k = 0; k < names.size(); ++k)

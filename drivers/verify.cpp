@@ -2,8 +2,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
 #include "drivers/commands.hpp"
+#include "drivers/folder_lock.hpp"
 #include "drivers/locations.hpp"
 #include "drivers/run.hpp"
 #include "drivers/runtime.hpp"
@@ -99,6 +101,8 @@ int verify_command(const std::vector<std::string>& files, const std::string& fol
     options.quiet = folder.empty();
     if (!folder.empty()) options.folder = std::filesystem::path(folder) / scene.name();
     try {
+      std::optional<FolderLock> lock;
+      if (!options.folder.empty()) lock.emplace(options.folder);
       const RunResult result = run(scene, options);
       if (result.outcome.status != "finished") return 130;
       for (const Verdict& v : result.outcome.verdicts) table.add(scene.name(), v);

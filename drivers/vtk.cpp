@@ -185,7 +185,11 @@ template Column::Column(std::string, int, const std::vector<std::uint8_t>&);
 
 void write_vtp(const std::filesystem::path& path, const std::vector<double>& points,
                const std::vector<Column>& columns) {
-  const Column places("Points", 3, points);
+  write_vtp(path, Column("Points", 3, points), columns);
+}
+
+void write_vtp(const std::filesystem::path& path, const Column& places,
+               const std::vector<Column>& columns) {
   const std::size_t count = places.rows();
   std::vector<std::int64_t> indices(count);
   std::iota(indices.begin(), indices.end(), 0);

@@ -40,6 +40,9 @@ class Column {
 /// another length.
 void write_vtp(const std::filesystem::path& path, const std::vector<double>& points,
                const std::vector<Column>& columns);
+/// The same for points of another type: "Points" in rows of three.
+void write_vtp(const std::filesystem::path& path, const Column& points,
+               const std::vector<Column>& columns);
 
 /// A box of equal cells; 0 cells along a direction make it flat there, as a 1-D or 2-D grid is.
 struct Box {

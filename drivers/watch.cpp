@@ -4,7 +4,9 @@
 #include <algorithm>
 
 #include "drivers/burst.hpp"
+#include "drivers/cracks.hpp"
 #include "drivers/fragments.hpp"
+#include "drivers/gauges.hpp"
 #include "materials/registry.hpp"
 
 namespace brisance {
@@ -14,11 +16,16 @@ int WatchedMaterials::number(const std::string& name) const {
   return at == names.end() ? -1 : static_cast<int>(at - names.begin());
 }
 
-void declare_watches(List& valid, const std::vector<std::string>& materials, int dim) {
+void declare_watches(List& valid, const List& given, const std::vector<std::string>& materials,
+                     int dim) {
   declare_optional_list(valid, "fragments", "the pieces into which a solid has broken") =
       FragmentWatch::valid_parameters(materials);
   declare_optional_list(valid, "burst", "measures a charge that bursts in the middle of a box") =
       BurstWatch::valid_parameters(materials, dim);
+  declare_optional_list(valid, "cracks", "measures what a hit does to concrete") =
+      CrackPattern::valid_parameters(dim);
+  declare_optional_list(valid, "gauges", "what matter is like at some places against time") =
+      Gauges::valid_parameters(find_list(given, "gauges"), materials, dim);
 }
 
 std::vector<MeasureDoc> watch_docs(const List& given) {
@@ -28,6 +35,9 @@ std::vector<MeasureDoc> watch_docs(const List& given) {
   };
   if (find_list(given, "fragments")) append(FragmentWatch::measure_docs());
   if (const List* burst = find_list(given, "burst")) append(BurstWatch::measure_docs(*burst));
+  if (find_list(given, "cracks")) append(CrackPattern::measure_docs());
+  if (const List* gauges = find_list(given, "gauges"))
+    append(Gauges::measure_docs(list_names(*gauges)));
   return docs;
 }
 
@@ -45,6 +55,9 @@ std::vector<std::unique_ptr<Watch>> make_watches(const List& scene) {
     if (get<std::string>(scene, "geometry") == "line") refuse(*list, "", "needs a plane");
     watches.push_back(std::make_unique<BurstWatch>(*list, materials));
   }
+  if (const List* list = find_list(scene, "cracks"))
+    watches.push_back(std::make_unique<CrackPattern>(*list));
+  if (find_list(scene, "gauges")) watches.push_back(std::make_unique<Gauges>(scene));
   return watches;
 }
 

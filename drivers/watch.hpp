@@ -1,6 +1,6 @@
 #pragma once
-// What looks at a run from outside at each of its outputs and has something to say at its end. A
-// watch is switched on by a list of the scene that bears its name.
+// What looks at a run from outside, at each of its outputs or after every step, and has something
+// to say at its end. A watch is switched on by a list of the scene that bears its name.
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -12,11 +12,16 @@
 
 namespace brisance {
 
+class Simulation;
+
 class Watch {
  public:
   virtual ~Watch() = default;
-  /// To be called at each output, the last one at the end of the run.
-  virtual void observe(const ParticleTable& table, double time) = 0;
+  /// To be called at each output, the last one at the end of the run, if it looks at particles.
+  virtual void observe(const ParticleTable& /*table*/, double /*time*/) {}
+  virtual bool looks_at_particles() const { return true; }
+  /// To be called at the start and after each step.
+  virtual void follow(Simulation& /*simulation*/) {}
   /// Of all that has been observed.
   virtual std::vector<Measure> measures() const = 0;
   /// All that it remembers from one output to the next, for restart.
@@ -34,7 +39,8 @@ struct WatchedMaterials {
 };
 
 /// Adds the lists of all watches to the schema of a scene.
-void declare_watches(List& valid, const std::vector<std::string>& materials, int dim);
+void declare_watches(List& valid, const List& given, const std::vector<std::string>& materials,
+                     int dim);
 /// What the watches of a scene, as given, will measure.
 std::vector<MeasureDoc> watch_docs(const List& given);
 /// The watches of a checked scene. Throws InputError for a list that does not fit the scene.

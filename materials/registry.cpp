@@ -3,6 +3,8 @@
 #include <Teuchos_ParameterList.hpp>
 #include <algorithm>
 
+#include "core/geometry.hpp"
+#include "materials/fluid.hpp"
 #include "materials/viscosity.hpp"
 
 namespace brisance {
@@ -21,6 +23,19 @@ void add_fluid(TypeList<Eos...>, const std::string& law, List& valid) {
 template <class... Law>
 void add_solid(TypeList<Law...>, const List& given, const std::string& law, List& valid) {
   ((law == Law::name ? void(valid.setParameters(Law::valid_parameters(given))) : void()), ...);
+}
+
+template <class M>
+void add_fields(std::vector<std::string>& names) {
+  for (const auto& field : M::fields)
+    if (std::string(field.name) != "energy") names.push_back(field.name);
+}
+
+template <class... Eos, class... Law>
+void add_fields(TypeList<Eos...>, TypeList<Law...>, const std::string& law,
+                std::vector<std::string>& names) {
+  ((law == Eos::name ? add_fields<Fluid<Eos>>(names) : void()), ...);
+  ((law == Law::name ? add_fields<Law>(names) : void()), ...);
 }
 
 bool contains(const std::vector<std::string>& words, const std::string& word) {
@@ -49,6 +64,23 @@ List valid_material(const List& given, const List& shock) {
   declare_optional_list(valid, "artificial viscosity",
                         "in place of the scheme's, for this material") = shock;
   return valid;
+}
+
+std::vector<std::string> stress_names(int components) {
+  std::vector<std::string> names;
+  for (const char* component : {"xx", "yy", "zz", "xy", "yz", "zx"})
+    if (static_cast<int>(names.size()) < components)
+      names.push_back(std::string("stress ") + component);
+  return names;
+}
+
+std::vector<std::string> field_names(const List& given, int dim) {
+  const std::string law = get<std::string>(given, "law");
+  std::vector<std::string> names;
+  if (!is_fluid(law) || find_list(given, "viscosity"))
+    names = stress_names(dim == 1 ? Line::stress_components : PlaneStrain::stress_components);
+  add_fields(Fluids{}, Solids{}, law, names);
+  return names;
 }
 
 }  // namespace brisance

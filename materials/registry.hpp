@@ -33,6 +33,13 @@ bool is_fluid(const std::string& law);
 /// of the scheme.
 List valid_material(const List& given, const List& shock);
 
+/// "stress xx" and on: the names of so many components.
+std::vector<std::string> stress_names(int components);
+
+/// What a material of that list, as given, adds to the columns that all particles have: the names
+/// of its stresses on a grid of `dim` directions, and of its state variables.
+std::vector<std::string> field_names(const List& given, int dim);
+
 /// An empty group of the material of a checked list; `shock` is what the scheme sets for materials
 /// without a list of their own.
 template <class G>

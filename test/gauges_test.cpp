@@ -81,7 +81,7 @@ Gauges record(
   Gauges gauges(with_gauge(test::scene(1), {0.5}, change));
   for (int k = 0; k <= steps; ++k) {
     known.now = k == steps ? 0.1 : 0.1 * k / steps;
-    gauges.observe(known);
+    gauges.follow(known);
   }
   return gauges;
 }
@@ -139,7 +139,7 @@ TEST(Gauges, SampleAtTheFirstStepThatReachesTheirTime) {
   Gauges gauges(with_gauge(scene, {0.5}));
   for (int k = 0; k <= 25; ++k) {
     known.now = 0.1 * k / 25;
-    gauges.observe(known);
+    gauges.follow(known);
   }
   const auto time = columns(gauges.table()).at("time");
   ASSERT_EQ(time.size(), 11u);
@@ -155,8 +155,8 @@ TEST(Gauges, CostNothingBetweenSamples) {
   Known between;
   between.now = 1e-9;
   Gauges gauges(scene);
-  gauges.observe(*simulation);
-  EXPECT_TRUE(kernels_of([&] { gauges.observe(between); }).empty());
+  gauges.follow(*simulation);
+  EXPECT_TRUE(kernels_of([&] { gauges.follow(between); }).empty());
 }
 
 TEST(Gauges, RefuseWhatDoesNotFit) {
@@ -190,11 +190,11 @@ std::map<std::string, std::vector<double>> recorded(const List& scene,
                                                     const ExactSolution* exact = nullptr) {
   const auto simulation = make_simulation(scene, exact);
   Gauges gauges(scene);
-  gauges.observe(*simulation);
+  gauges.follow(*simulation);
   const double end = get<double>(scene.sublist("time"), "end");
   while (simulation->time() < end) {
     simulation->advance(end);
-    gauges.observe(*simulation);
+    gauges.follow(*simulation);
   }
   return columns(gauges.table());
 }

@@ -260,6 +260,20 @@ TEST(Parameters, BothRulesHoldWhenJoined) {
   EXPECT_EQ(wording<std::string>(one_of({"a", "b"})), "one of: a, b");
 }
 
+TEST(Parameters, NamesMayBeManyOutOfSome) {
+  using Names = std::vector<std::string>;
+  List valid, given;
+  declare(valid, "columns", Names{}, one_of({"mass", "pressure"}), "what is written [-]");
+  EXPECT_EQ(get<Names>(check(given, valid), "columns"), Names{});
+  given.set("columns", array<std::string>({"pressure", "mass"}));
+  EXPECT_EQ(get<Names>(check(given, valid), "columns"), (Names{"pressure", "mass"}));
+  const Described told = described(valid, "columns");
+  EXPECT_EQ(told.type + "|" + told.value + "|" + told.rule,
+            "Array(string)|{}|any of: mass, pressure");
+  EXPECT_EQ(broken(one_of({"mass", "pressure"}), Names{"mass", "presure"}),
+            "every entry must be one of: mass, pressure; did you mean 'pressure'?");
+}
+
 TEST(Parameters, AMessageIsClippedBetweenCharacters) {
   EXPECT_EQ(one_line("abc\tdef", 20), "abc def");
   EXPECT_EQ(one_line("aaaa\xC3\xA9zzzz", 8), "aaaa...");

@@ -1,0 +1,60 @@
+#include "drivers/recording.hpp"
+
+namespace brisance {
+
+Recording::Recording(const List& scene, Simulation& simulation, const Ledger& ledger,
+                     ExactSolution* exact, TimeKeeper& keeper)
+    : simulation_(simulation),
+      ledger_(ledger),
+      exact_(exact),
+      keeper_(keeper),
+      observers_(scene, exact),
+      times_(scene) {}
+
+void Recording::open(const std::filesystem::path& folder, const List& scene) {
+  results_.emplace(folder, scene, ledger_);
+}
+
+void Recording::follow() {
+  if (observers_.none()) return;
+  keeper_.on(TimeKeeper::watches, [&] { observers_.follow(simulation_); });
+}
+
+Snapshot Recording::output() {
+  Snapshot shot = keeper_.on(TimeKeeper::output, [&] {
+    Snapshot now = simulation_.snapshot();
+    if (results_) {
+      results_->add(now);
+      results_->add(ledger_, simulation_.balance());
+    }
+    return now;
+  });
+  if (observers_.none()) return shot;
+  keeper_.on(TimeKeeper::watches, [&] {
+    observers_.observe(shot);
+    if (results_) observers_.write(results_->folder());
+  });
+  return shot;
+}
+
+void Recording::output_if_seen() {
+  if (results_ || observers_.look_at_particles()) output();
+}
+
+void Recording::output_if_due() {
+  const auto due = times_.due(simulation_.step_count(), simulation_.time());
+  if (due == OutputTimes::Due::output) output_if_seen();
+  if (due == OutputTimes::Due::line && results_) results_->note(ledger_, simulation_.balance());
+}
+
+void Recording::write_exact(const Snapshot& end) {
+  if (results_ && exact_) results_->write_exact(*exact_, end);
+}
+
+void Recording::keep(Archive& archive) {
+  observers_.keep(archive);
+  times_.keep(archive);
+  if (results_) results_->keep(archive);
+}
+
+}  // namespace brisance

@@ -1,0 +1,48 @@
+#pragma once
+// What a run leaves behind while it goes on: it lets observers look, writes outputs and lines of
+// the history when they are due, and keeps account of the time that this takes.
+#include <optional>
+
+#include "drivers/observers.hpp"
+#include "drivers/output_times.hpp"
+#include "drivers/results.hpp"
+#include "drivers/time_spent.hpp"
+
+namespace brisance {
+
+class Recording {
+ public:
+  /// All of it is the run's and outlives the recording; `exact` may be null.
+  Recording(const List& scene, Simulation& simulation, const Ledger& ledger, ExactSolution* exact,
+            TimeKeeper& keeper);
+
+  /// From here on files are written, into this folder; without one observers still look.
+  void open(const std::filesystem::path& folder, const List& scene);
+
+  /// To be called at the start and after each step.
+  void follow();
+  /// An output now; returns what was written.
+  Snapshot output();
+  /// The output at the start, which costs nothing where nobody looks.
+  void output_if_seen();
+  /// To be called after each step but the last.
+  void output_if_due();
+
+  /// To be called after the last output, with that.
+  std::vector<Measure> measures(const Snapshot& end) const { return observers_.measures(end); }
+  /// The exact solution at the end, for plots.
+  void write_exact(const Snapshot& end);
+
+  void keep(Archive& archive);
+
+ private:
+  Simulation& simulation_;
+  const Ledger& ledger_;
+  const ExactSolution* exact_;
+  TimeKeeper& keeper_;
+  Observers observers_;
+  OutputTimes times_;
+  std::optional<Results> results_;
+};
+
+}  // namespace brisance
