@@ -17,7 +17,7 @@ struct Bins {
   }
   void receive(double work) {
     Kokkos::deep_copy(group.particles.work, work);
-    group.finish(state.grid, 1e-3);
+    test::sweep(state.grid.lattice, [&](auto& in) { group.finish(in, state.grid, 1e-3); });
   }
   double energy() const { return group.totals(0, group.particles.count, 0).internal; }
   double debt() const {
