@@ -3,6 +3,8 @@
 // `fold` brings that back as a mirror image (wall, fixed) or to the other end (periodic),
 // `constrain` and `fill` set the halo so that kernels read nodes without asking where they are. A
 // free end has neither mirror nor constraint.
+#include <limits>
+
 #include "core/lattice.hpp"
 
 namespace brisance {
@@ -18,20 +20,6 @@ template <int D>
 struct Boundaries {
   Side side[D][2] = {};
   bool mirrors = true;  ///< false when every shape is linear: then nothing reaches over a wall
-
-  /// Where a particle that has moved to x along direction d ends up: inside a wall, wrapped, or out
-  /// of a free end.
-  KOKKOS_INLINE_FUNCTION double settle(const Lattice<D>& lattice, int d, double x) const {
-    const double low = lattice.origin[d], length = lattice.cells[d] * lattice.h,
-                 skin = 1e-9 * lattice.h;
-    if (side[d][0] == Side::periodic) {
-      if (x < low) x += length;
-      return x < low + length ? x : x - length;
-    }
-    if (side[d][0] != Side::free) x = most(x, low + skin);
-    if (side[d][1] != Side::free) x = least(x, low + length - skin);
-    return x;
-  }
 
   /// Whether shapes reach over walls that mirror them.
   bool images_beyond_walls() const {
@@ -52,6 +40,35 @@ struct Boundaries {
       if (low || high) v *= 0.5;
     }
     return v;
+  }
+};
+
+/// The ends of a lattice as particles meet them.
+template <int D>
+struct Ends {
+  double low[D], period[D];        ///< period: 0 where nothing wraps [m]
+  double inside[D][2];             ///< where walls hold particles; beyond all numbers at free ends
+
+  Ends(const Lattice<D>& lattice, const Boundaries<D>& boundaries) {
+    const double skin = 1e-9 * lattice.h, far = std::numeric_limits<double>::infinity();
+    for (int d = 0; d < D; ++d) {
+      const double length = lattice.cells[d] * lattice.h;
+      const bool wraps = boundaries.side[d][0] == Side::periodic;
+      low[d] = lattice.origin[d];
+      period[d] = wraps ? length : 0;
+      inside[d][0] = wraps || boundaries.side[d][0] == Side::free ? -far : low[d] + skin;
+      inside[d][1] = wraps || boundaries.side[d][1] == Side::free ? far : low[d] + length - skin;
+    }
+  }
+
+  /// Where a particle that has moved to x along direction d ends up: inside a wall, wrapped, or out
+  /// of a free end.
+  KOKKOS_FORCEINLINE_FUNCTION double settle(int d, double x) const {
+    if (period[d] > 0) {
+      if (x < low[d]) x += period[d];
+      return x < low[d] + period[d] ? x : x - period[d];
+    }
+    return clamp(x, inside[d][0], inside[d][1]);
   }
 };
 

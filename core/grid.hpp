@@ -2,33 +2,11 @@
 // The nodal and cell fields of one step. Nothing here survives a step.
 #include <vector>
 
+#include "core/accumulator.hpp"
 #include "core/boundary.hpp"
 #include "core/lattice.hpp"
 
 namespace brisance {
-
-/// Collects what particles scatter: every thread (or atomics, where the backend prefers them) adds
-/// through `scatter.access()`, `contribute` puts the sum into `total`. Made once; making one in
-/// every step costs more than using it.
-class Accumulator {
- public:
-  using Scatter = Kokkos::Experimental::ScatterView<double**, Kokkos::LayoutLeft, Space>;
-
-  Table<double> total;
-  Scatter scatter;
-
-  Accumulator(int nodes, int columns)
-      : total("sums", nodes, columns), scatter(Kokkos::Experimental::create_scatter_view(total)) {}
-
-  /// Memory of the sum; threads hold as much again each. [B]
-  std::size_t bytes() const { return total.span() * sizeof(double) * (1 + Space().concurrency()); }
-
-  void clear() { scatter.reset(); }
-  void contribute() {
-    Kokkos::deep_copy(total, 0.0);
-    Kokkos::Experimental::contribute(total, scatter);
-  }
-};
 
 /// The velocity classes of fluids and of solids where both share the grid; alone, either has the
 /// first.

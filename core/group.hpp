@@ -66,11 +66,17 @@ class Group {
   Particles<G> particles;
   std::unique_ptr<Transfer<G>> transfer;
   Signals fastest;     ///< in the step under way
-  long floors = 0;     ///< how often a state had to be held at a lower bound, so far
   Array<double> debt;  ///< of each bin: energy that its fluids were left with and owe [J]; may be
                        ///< empty, and is the same for all groups
 
   virtual ~Group() = default;
+  /// How often a state had to be held at a lower bound, so far.
+  long floors() const {
+    std::int64_t count = 0;
+    Kokkos::deep_copy(count, floors_);
+    return static_cast<long>(count);
+  }
+  void set_floors(long count) { Kokkos::deep_copy(floors_, std::int64_t{count}); }
   virtual Stress stress() const = 0;
   virtual bool fluid() const = 0;
   /// Whether core/relaxation corrects it: a fluid whose pressure depends on its energy.
@@ -86,32 +92,38 @@ class Group {
   /// The stress that belongs to density and state variables, before the first step.
   virtual void start() = 0;
 
-  /// From the gradients, on a grid of cell size h [m].
-  virtual Signals signals(double h) const = 0;
+  // Stages of the step, added to a sweep.
+
+  /// From the gradients; told by signals() when the sweep has run.
+  virtual void find_signals(Sweep<G::dim>& in) = 0;
+  virtual Signals signals() const = 0;
   /// Stress <- the stress half a step on, with the gradient at the start of the step.
-  virtual void half_step(const Grid<G>& grid, double dt) = 0;
+  virtual void half_step(Sweep<G::dim>& in, const Grid<G>& grid, double dt) = 0;
   /// State at the end of the step from gradient and work (midpoint).
-  virtual void finish(const Grid<G>& grid, double dt) = 0;
+  virtual void finish(Sweep<G::dim>& in, const Grid<G>& grid, double dt) = 0;
   /// State at the end of the step from the gradient alone (MUSL).
-  virtual void update(const Grid<G>& grid, double dt) = 0;
+  virtual void update(Sweep<G::dim>& in, const Grid<G>& grid, double dt) = 0;
 
   /// Fluids only, for core/relaxation: see there what the two scratch columns hold.
-  virtual void correct_volume(double /*rate*/) {}
-  virtual void load_pressure() {}
-  virtual void propose_exchange(double /*rate*/, double /*dt*/, double /*h*/) {}
-  virtual void exchange_volume() {}
-  virtual void exchange_energy() {}
-  virtual void load_heat(double /*rate*/, double /*dt*/) {}
-  virtual void conduct() {}
+  virtual void correct_volume(Sweep<G::dim>& /*in*/, double /*rate*/) {}
+  virtual void load_pressure(Sweep<G::dim>& /*in*/) {}
+  virtual void propose_exchange(Sweep<G::dim>& /*in*/, double /*rate*/, double /*dt*/) {}
+  virtual void exchange_volume(Sweep<G::dim>& /*in*/) {}
+  virtual void exchange_energy(Sweep<G::dim>& /*in*/) {}
+  virtual void load_heat(Sweep<G::dim>& /*in*/, double /*rate*/, double /*dt*/) {}
+  virtual void conduct(Sweep<G::dim>& /*in*/) {}
   /// Solids only, for core/stress_relaxation: scratch <- the direct stresses and, last, the weight;
   /// and the stresses without the residuals that scratch holds by then.
-  virtual void load_stress() {}
-  virtual void relax_stress(double /*dt*/, double /*h*/) {}
+  virtual void load_stress(Sweep<G::dim>& /*in*/) {}
+  virtual void relax_stress(Sweep<G::dim>& /*in*/, double /*dt*/) {}
 
   /// Sums over the particles begin .. end.
   virtual Totals totals(int begin, int end, double affine_inertia) const = 0;
   /// Pressure and, for fluids, specific internal energy of each particle, for output. [Pa], [J/kg]
   virtual void report(const Array<double>& pressure, const Array<double>& energy) const = 0;
+
+ protected:
+  Kokkos::View<std::int64_t, Space> floors_{"floors"};
 };
 
 }  // namespace brisance

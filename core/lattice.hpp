@@ -12,12 +12,14 @@ struct Lattice {
 
   double origin[D] = {};  ///< position of node 0 [m]
   double h = 1;           ///< cell size [m]
+  double per_h = 1;       ///< [1/m]
   int cells[D] = {};      ///< cells inside the domain
   int stride[D] = {};
   int size = 0;  ///< nodes including the halo
 
   Lattice() = default;
-  Lattice(const double (&origin_)[D], const int (&cells_)[D], double h_) : h(h_) {
+  Lattice(const double (&origin_)[D], const int (&cells_)[D], double h_)
+      : h(h_), per_h(1 / h_) {
     size = 1;
     for (int d = 0; d < D; ++d) {
       origin[d] = origin_[d];
@@ -42,10 +44,10 @@ struct Lattice {
   }
 
   /// A position in cells from node 0.
-  KOKKOS_INLINE_FUNCTION double in_cells(double x, int d) const { return (x - origin[d]) / h; }
+  KOKKOS_FORCEINLINE_FUNCTION double in_cells(double x, int d) const { return (x - origin[d]) * per_h; }
 
   /// The cell that holds a position inside the domain.
-  KOKKOS_INLINE_FUNCTION int cell_of(const Vec<D>& x) const {
+  KOKKOS_FORCEINLINE_FUNCTION int cell_of(const Vec<D>& x) const {
     int i[D];
     for (int d = 0; d < D; ++d) {
       const int k = static_cast<int>(floor(in_cells(x[d], d)));

@@ -17,7 +17,8 @@ Particles<G>::Particles(int capacity, const ColumnNeeds& needs)
       history("history", capacity, needs.history),
       acting(stress),
       acts_apart(needs.half_stress),
-      id("id", capacity) {
+      id("id", capacity),
+      bin("bin", capacity) {
   if (acts_apart) acting = Table<double>("half stress", capacity, stress.extent(1));
   if (needs.affine) affine = Table<double>("affine", capacity, D * D);
   if (needs.work) work = Table<double>("work", capacity, 1);
@@ -33,6 +34,7 @@ void Particles<G>::reserve(int needed) {
   each_column([&](const char*, Table<double>& c, bool) { Kokkos::resize(c, room, c.extent(1)); });
   if (!acts_apart) acting = stress;
   Kokkos::resize(id, room);
+  Kokkos::resize(bin, room);
 }
 
 template struct Particles<Line>;

@@ -36,6 +36,7 @@ struct Particles {
   bool acts_apart = false;
   Array<std::int64_t> id;
   Array<int> first;  ///< bin b holds the particles first(b) .. first(b + 1)
+  Array<int> bin;    ///< where each goes in the next sort
 
   Particles() = default;
   Particles(int capacity, const ColumnNeeds& needs);

@@ -17,11 +17,13 @@ struct RelaxationRates {
   double volume = 0;    ///< share of the volume error removed in a step [-]
   double pressure = 0;  ///< rate in units of sound speed per cell [-]
   double heat = 0;      ///< rate in units of the compression rate [-]
+  bool any() const { return volume > 0 || pressure > 0 || heat > 0; }
 };
 
-/// `asleep`: volume at the nodes of gas that sleeps, if any does. [m^D]
+/// Of the two accumulators one is read while the other is written. `asleep`: volume at the nodes of gas that sleeps, if any does. [m^D]
 template <class G>
 void relax(std::vector<std::unique_ptr<Group<G>>>& groups, const Grid<G>& grid, Accumulator& sums,
-           const RelaxationRates& rates, double dt, const Table<double>& asleep = {});
+           Accumulator& spare, const RelaxationRates& rates, double dt,
+           const Table<double>& asleep = {});
 
 }  // namespace brisance

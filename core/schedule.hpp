@@ -1,9 +1,11 @@
 #pragma once
-// In which order the rows of bins are worked on: today as plain sweeps, one kernel at a time.
-// Kernels are written as functions of a row, so that another schedule (a wavefront of rows) can
-// call the same functions.
-#include <string>
+// In which order the rows of bins are worked on. Kernels are functions of a row; what follows one
+// upon the other without a look at nodes that others still add to goes into one sweep, which works
+// on a row after the other while its particles lie in the nearest cache.
+#include <memory>
+#include <vector>
 
+#include "core/accumulator.hpp"
 #include "core/lattice.hpp"
 
 namespace brisance {
@@ -14,30 +16,133 @@ template <int D>
 struct Row {
   int begin, end;
   int base[D];
+  int number;  ///< from 0 on, for results of its own
 };
 
-/// Bins in one row: long enough to amortise its start, short enough to feed all threads on a small
-/// grid.
-constexpr int row_length = 32;
+/// How the bins of a lattice fall into rows and these into blocks, whatever the number of threads.
+/// A block's particles reach the nodes of the block after next in no shape.
+template <int D>
+struct RowLayout {
+  /// Bins in one row: long enough to amortise its start, short enough for the cache.
+  static constexpr int length = 32;
+  /// Of two directions, four lines of bins: as wide as the widest shape.
+  static constexpr int lines_in_block = D == 1 ? 1 : 4;
 
-/// Calls f(row) for all rows of the lattice. The split does not depend on the number of threads and
-/// the schedule is static, so sums that a thread collects over its rows are the same from run to
-/// run.
-template <int D, class F>
-void for_rows(const std::string& name, const Lattice<D>& lattice, const F& f) {
-  const int line = lattice.extent(0);
-  const int pieces = (line + row_length - 1) / row_length;
-  const int lines = lattice.size / line;
-  using Policy = Kokkos::RangePolicy<Space, Kokkos::Schedule<Kokkos::Static>>;
-  Kokkos::parallel_for(
-      name, Policy(0, pieces * lines), KOKKOS_LAMBDA(const int k) {
-        const int piece = k % pieces, start = k / pieces * line;
-        Row<D> row;
-        row.begin = start + piece * row_length;
-        row.end = start + (piece + 1 < pieces ? (piece + 1) * row_length : line);
-        lattice.coordinates(row.begin, row.base);
-        f(row);
-      });
-}
+  Lattice<D> lattice;
+  int line, pieces, rows, rows_in_block, blocks;
+
+  explicit RowLayout(const Lattice<D>& lattice_)
+      : lattice(lattice_),
+        line(lattice.extent(0)),
+        pieces((line + length - 1) / length),
+        rows(pieces * (lattice.size / line)),
+        rows_in_block(D == 1 ? 1 : lines_in_block * pieces),
+        blocks((rows + rows_in_block - 1) / rows_in_block) {}
+
+  KOKKOS_INLINE_FUNCTION Row<D> row(int number) const {
+    const int piece = number % pieces, start = number / pieces * line;
+    Row<D> r;
+    r.number = number;
+    r.begin = start + piece * length;
+    r.end = start + (piece + 1 < pieces ? (piece + 1) * length : line);
+    lattice.coordinates(r.begin, r.base);
+    return r;
+  }
+};
+
+/// Stages that are worked on together: all stages of a row, then the next row. Where kernels do not
+/// run on the host, each stage is a kernel of its own, launched as it is added.
+template <int D>
+class Sweep {
+ public:
+  explicit Sweep(const Lattice<D>& lattice) : layout_(lattice) {}
+
+  const Lattice<D>& lattice() const { return layout_.lattice; }
+  int rows() const { return layout_.rows; }
+
+  /// f(row), which reads and writes the particles of the row, and nodes that no stage of this sweep
+  /// writes.
+  template <class F>
+  void add(const char* name, const F& f) {
+    if constexpr (kernels_on_host)
+      stages_.push_back(std::make_unique<StageOf<F>>(f));
+    else
+      launch(name, f);
+  }
+
+  /// f(row, to) with to(node, column) += value.
+  template <class F>
+  void add(const char* name, const Accumulator& sums, const F& f) {
+    if (sums.duplicates()) {
+      duplicates_ = true;
+      add(name, Scattering<F>{f, sums.scatter});
+    } else {
+      colours_ = true;
+      add(name, Adding<F>{f, sums.total});
+    }
+  }
+
+  /// Works on all rows and forgets the stages. `name` is what profilers show.
+  void run(const char* name) {
+    if (stages_.empty()) return;
+    const auto work = [stages = &stages_, layout = layout_](int block) {
+      const int end = std::min(layout.rows, (block + 1) * layout.rows_in_block);
+      for (int k = block * layout.rows_in_block; k < end; ++k) {
+        const Row<D> row = layout.row(k);
+        for (const auto& stage : *stages) (*stage)(row);
+      }
+    };
+    if (colours_) {
+      for (int colour = 0; colour < 2; ++colour)
+        Kokkos::parallel_for(name, Shared(0, (layout_.blocks - colour + 1) / 2),
+                             [=](const int k) { work(2 * k + colour); });
+    } else if (duplicates_) {
+      Kokkos::parallel_for(name, Fixed(0, layout_.blocks), work);
+    } else {
+      Kokkos::parallel_for(name, Shared(0, layout_.blocks), work);
+    }
+    stages_.clear();
+    colours_ = duplicates_ = false;
+  }
+
+ private:
+  // Whoever is free takes the next block; copies of sums ask for the same blocks each time.
+  using Shared = Kokkos::RangePolicy<Space, Kokkos::Schedule<Kokkos::Dynamic>>;
+  using Fixed = Kokkos::RangePolicy<Space, Kokkos::Schedule<Kokkos::Static>>;
+
+  struct Stage {
+    virtual ~Stage() = default;
+    virtual void operator()(const Row<D>& row) const = 0;
+  };
+  template <class F>
+  struct StageOf final : Stage {
+    F f;
+    explicit StageOf(const F& f_) : f(f_) {}
+    void operator()(const Row<D>& row) const override { f(row); }
+  };
+  template <class F>
+  struct Adding {
+    F f;
+    Table<double> to;
+    KOKKOS_INLINE_FUNCTION void operator()(const Row<D>& row) const { f(row, to); }
+  };
+  template <class F>
+  struct Scattering {
+    F f;
+    Accumulator::Scatter scatter;
+    KOKKOS_INLINE_FUNCTION void operator()(const Row<D>& row) const { f(row, scatter.access()); }
+  };
+
+  RowLayout<D> layout_;
+  std::vector<std::unique_ptr<Stage>> stages_;
+  bool colours_ = false, duplicates_ = false;
+
+  template <class F>
+  void launch(const char* name, const F& f) {
+    const auto layout = layout_;
+    Kokkos::parallel_for(
+        name, Fixed(0, layout.rows), KOKKOS_LAMBDA(const int k) { f(layout.row(k)); });
+  }
+};
 
 }  // namespace brisance

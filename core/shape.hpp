@@ -4,6 +4,7 @@
 // nodes, and how a point's volume spreads over cells, `overlap`: such that the slope of a node is
 // the sum over cells of overlap times the slope of the linear shape, hence a pressure that fills a
 // cell together with fluids of the shape "linear" is in balance with them. Lengths are in cells.
+// Those whose weights are polynomials of `degree` give the coefficients of (d - centre)^m, too.
 // Sources: Sulsky et al. (1994) for linear, Bardenhagen & Kober (2004) for GIMP, Steffen, Kirby &
 // Berzins (2008) for the splines.
 #include "core/types.hpp"
@@ -15,6 +16,13 @@ struct Linear {
   static constexpr bool sized = false;
   static constexpr int width = 2;
   static constexpr double affine_inertia = 0;  // not a spline with constant second moment: no APIC
+
+  static constexpr int degree = 1;
+  static constexpr double centre = 0;
+  KOKKOS_INLINE_FUNCTION static constexpr double coefficient(int k, int m) {
+    constexpr double c[2][2] = {{1, -1}, {0, 1}};
+    return c[k][m];
+  }
 
   KOKKOS_INLINE_FUNCTION static int base(double xi) { return static_cast<int>(floor(xi)); }
 
@@ -35,6 +43,9 @@ struct Gimp {
   static constexpr bool sized = true;  // asks for the particle's extent
   static constexpr int width = 3;
   static constexpr double affine_inertia = 0;
+  static constexpr int degree = 0;  // no polynomial
+  static constexpr double centre = 0;
+  KOKKOS_INLINE_FUNCTION static constexpr double coefficient(int, int) { return 0; }
 
   KOKKOS_INLINE_FUNCTION static int base(double xi) {
     return static_cast<int>(floor(xi + 0.5)) - 1;
@@ -72,6 +83,13 @@ struct QuadraticSpline {
   static constexpr int width = 3;
   static constexpr double affine_inertia = 1. / 4;  // sum over nodes of w r r, in cells^2
 
+  static constexpr int degree = 2;
+  static constexpr double centre = 1;
+  KOKKOS_INLINE_FUNCTION static constexpr double coefficient(int k, int m) {
+    constexpr double c[3][3] = {{1. / 8, -1. / 2, 1. / 2}, {3. / 4, 0, -1}, {1. / 8, 1. / 2, 1. / 2}};
+    return c[k][m];
+  }
+
   KOKKOS_INLINE_FUNCTION static int base(double xi) {
     return static_cast<int>(floor(xi + 0.5)) - 1;
   }
@@ -97,6 +115,16 @@ struct CubicSpline {
   static constexpr bool sized = false;
   static constexpr int width = 4;
   static constexpr double affine_inertia = 1. / 3;
+
+  static constexpr int degree = 3;
+  static constexpr double centre = 1.5;
+  KOKKOS_INLINE_FUNCTION static constexpr double coefficient(int k, int m) {
+    constexpr double c[4][4] = {{1. / 48, -1. / 8, 1. / 4, -1. / 6},
+                                {23. / 48, -5. / 8, -1. / 4, 1. / 2},
+                                {23. / 48, 5. / 8, -1. / 4, -1. / 2},
+                                {1. / 48, 1. / 8, 1. / 4, 1. / 6}};
+    return c[k][m];
+  }
 
   KOKKOS_INLINE_FUNCTION static int base(double xi) { return static_cast<int>(floor(xi)) - 1; }
 

@@ -23,6 +23,7 @@ Particles<G> none_like(Particles<G> like) {
   });
   if (!like.acts_apart) like.acting = like.stress;
   like.id = Array<std::int64_t>("id", 0);
+  like.bin = Array<int>("bin", 0);
   like.first = {};
   like.count = 0;
   return like;
@@ -233,10 +234,18 @@ int Sleep<G>::move(Particles<G>& from, Particles<G>& to, const Group<G>& group, 
   return moved;
 }
 
+template <class G>
+Signals Sleep<G>::signals_of(Group<G>& group) const {
+  Sweep<D> sweep(lattice_);
+  group.find_signals(sweep);
+  sweep.run("signals of sleepers");
+  return group.signals();
+}
+
 /// What those that still sleep are to others.
 template <class G>
 void Sleep<G>::settle() {
-  for (Part& part : parts_) in_place(part, [&] { part.signals = part.group->signals(lattice_.h); });
+  for (Part& part : parts_) in_place(part, [&] { part.signals = signals_of(*part.group); });
   const auto asleep = asleep_;
   const auto rest = rest_, force = force_, volume = volume_;
   const Lattice<D> lattice = lattice_;
@@ -266,27 +275,23 @@ void Sleep<G>::settle() {
 
 template <class G>
 void Sleep<G>::press(const Accumulator& sums) const {
-  const auto scatter = sums.scatter;
-  const auto force = force_, volume = volume_;
+  const auto total = sums.total, force = force_, volume = volume_;
   Kokkos::parallel_for(
       "press of sleepers", Kokkos::RangePolicy<Space>(0, lattice_.size),
       KOKKOS_LAMBDA(const int n) {
         if (!(volume(n, 0) > 0)) return;
-        const auto to = scatter.access();
-        for (int d = 0; d < D; ++d) to(n, d) += force(n, d);
+        for (int d = 0; d < D; ++d) total(n, d) += force(n, d);
       });
 }
 
 template <class G>
 void Sleep<G>::fill(const Accumulator& sums) const {
-  const auto scatter = sums.scatter;
+  const auto total = sums.total;
   const auto asleep = asleep_;
   const double full = lattice_.cell_volume();
   Kokkos::parallel_for(
       "fill of sleepers", Kokkos::RangePolicy<Space>(0, lattice_.size), KOKKOS_LAMBDA(const int c) {
-        if (asleep(c) == 0) return;
-        const auto to = scatter.access();
-        to(c, D) += full;
+        if (asleep(c) != 0) total(c, D) += full;
       });
 }
 

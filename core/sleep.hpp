@@ -49,8 +49,8 @@ class Sleep {
   /// At the end of a step: wakes what is near to anything not at rest.
   void wake(const Groups& groups, Sorter<G>& sorter);
 
-  /// sums <- what the points that sleep press with at the nodes [N]; and, as
-  /// Transfer::scatter_cells has it, the volume of their cells.
+  /// What all others have summed, and what the points that sleep press with at the nodes [N]; and,
+  /// as Transfer::scatter_cells has it, the volume of their cells.
   void press(const Accumulator& sums) const;
   void fill(const Accumulator& sums) const;
   /// Sums of the points at the nodes, N V. [m^D]; empty unless any sleep
@@ -107,6 +107,7 @@ class Sleep {
     f();
     part.group->particles = awake;
   }
+  Signals signals_of(Group<G>& group) const;
   int disturb(const Particles<G>& points, int group);
   int wake_cells();
   int move(Particles<G>& from, Particles<G>& to, const Group<G>& group, int asleep,

@@ -22,12 +22,17 @@ void permute(const T& column, const Array<int>& source, const T& spare, int begi
 template <class G>
 int Sorter<G>::sort(Particles<G>& particles, const Transfer<G>& transfer,
                     const Lattice<G::dim>& lattice) {
+  transfer.find_bins(lattice, particles);
+  return sort(particles, lattice);
+}
+
+template <class G>
+int Sorter<G>::sort(Particles<G>& particles, const Lattice<G::dim>& lattice) {
   const int count = particles.count,
             bins = lattice.size + 1;  // the last bin: particles that have left
   const int chunks = std::max(1, std::min<int>(Space().concurrency(), count / 1024));
   const int per_chunk = (count + chunks - 1) / chunks;
-  if (static_cast<int>(bin_.extent(0)) < count) {
-    Kokkos::realloc(bin_, particles.capacity());
+  if (static_cast<int>(source_.extent(0)) < count) {
     Kokkos::realloc(source_, particles.capacity());
     Kokkos::realloc(spare_, particles.capacity());
   }
@@ -36,11 +41,9 @@ int Sorter<G>::sort(Particles<G>& particles, const Transfer<G>& transfer,
   if (static_cast<int>(particles.first.extent(0)) != bins + 1)
     particles.first = Array<int>("first of bin", bins + 1);
 
-  const auto bin = bin_, source = source_;
+  const auto bin = particles.bin, source = source_;
   const auto counts = counts_;
   const auto first = particles.first;
-  transfer.find_bins(particles, lattice, bin);
-
   Kokkos::deep_copy(counts, 0);
   const Kokkos::RangePolicy<Space> over_chunks(0, chunks);
   Kokkos::parallel_for(

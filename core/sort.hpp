@@ -9,18 +9,20 @@ namespace brisance {
 template <class G>
 class Sorter {
  public:
-  /// Sorts and counts the bins. Particles that have left the domain come to stand behind the rest,
+  /// Sorts by the column `bin` and counts the bins. Particles that have left the domain come to stand behind the rest,
   /// from the new `count` on, where they can still be read; returns how many they are.
+  int sort(Particles<G>& particles, const Lattice<G::dim>& lattice);
+  /// The same, after it has found the bins.
   int sort(Particles<G>& particles, const Transfer<G>& transfer, const Lattice<G::dim>& lattice);
 
   /// Memory of the work arrays. [B]
   std::size_t bytes() const {
-    return (bin_.span() + source_.span() + counts_.span()) * sizeof(int) +
+    return (source_.span() + counts_.span()) * sizeof(int) +
            spare_.span() * sizeof(double);
   }
 
  private:
-  Array<int> bin_, source_;
+  Array<int> source_;
   Table<int> counts_;  ///< (chunk of particles, bin): first the count, then the next free place
   Array<double> spare_;
 };

@@ -67,6 +67,7 @@ int split(Particles<G>& particles, const Lattice<G::dim>& lattice,
         });
   });
   const Particles<G> points = particles;
+  const Ends<D> ends(lattice, boundaries);
   const std::int64_t id = next_id;
   Kokkos::parallel_for(
       "lay out parts", over, KOKKOS_LAMBDA(const int p) {
@@ -82,7 +83,7 @@ int split(Particles<G>& particles, const Lattice<G::dim>& lattice,
           for (int d = 0; d < D; ++d) {
             const bool cut_here = mask(p) >> d & 1;
             const double side = cut_here && (c >> bit++ & 1) ? 1 : -1;
-            points.position(q, d) = boundaries.settle(lattice, d, x[d] + side * arm[d]);
+            points.position(q, d) = ends.settle(d, x[d] + side * arm[d]);
             if (cut_here && points.extent.extent(1) > 0) points.extent(q, d) *= 0.5;
           }
           points.m(q) = m;

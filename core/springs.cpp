@@ -55,7 +55,9 @@ void Springs<G>::weigh(const std::vector<std::unique_ptr<Group<G>>>& groups, con
     const Group<G>& group = *groups[s.group];
     const Entry mass{group.particles.mass, 0};
     sums.clear();
-    group.transfer->scatter_mean(group.particles, grid.lattice, mass, mass, sums);
+    Sweep<D> sweep(grid.lattice);
+    group.transfer->scatter_mean(sweep, group.particles, mass, mass, sums);
+    sweep.run("mass at nodes");
     sums.contribute();
     if (s.weight.extent(0) == 0) s.weight = Table<double>("mass on spring", grid.lattice.size, D);
     const auto total = sums.total, weight = s.weight;

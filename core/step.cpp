@@ -16,6 +16,7 @@ class Step {
   State<G>& s;
   Exchange<G>& others;
   double dt = 0;
+  Sweep<D> sweep{s.grid.lattice};  ///< what is to be done before the next look at the nodes
 
   void prepare() {
     for (auto& g : s.groups) {
@@ -24,15 +25,20 @@ class Step {
     }
     if (s.scheme.midpoint) return;
     momentum_to_grid();
-    gradients();
+    for (auto& g : s.groups) g->transfer->gather_gradient(sweep, g->particles, s.grid.before);
+    sweep.run("gradient");
   }
 
   double begin() {
     momentum_to_grid();
-    if (s.scheme.midpoint) gradients();
+    for (auto& g : s.groups) {
+      if (s.scheme.midpoint) g->transfer->gather_gradient(sweep, g->particles, s.grid.before);
+      g->find_signals(sweep);
+    }
+    know_cells("gradient, signals, cells");
     double fastest = 0;
     for (auto& g : s.groups) {
-      const Signals here = g->signals(s.grid.lattice.h);
+      const Signals here = g->signals();
       const Signals asleep = s.sleep.signals(*g);
       g->fastest = {others.max(std::max(here.over_grid, asleep.over_grid)),
                     others.max(std::max(here.in_matter, asleep.in_matter))};
@@ -43,15 +49,19 @@ class Step {
 
   void midpoint() {
     damp_against_walls();
-    know_cells();
-    for (auto& g : s.groups) g->half_step(s.grid, dt);
-    force_to_grid();
-    for (auto& g : s.groups)
-      g->transfer->finish_midpoint(g->particles, s.grid, g->stress(), g->velocity_class, flip(*g),
-                                   dt);
-    for (auto& g : s.groups) g->finish(s.grid, dt);
+    if (!s.springs.empty()) s.springs.weigh(s.groups, s.grid, s.sums);
+    for (auto& g : s.groups) g->half_step(sweep, s.grid, dt);
+    force_to_grid("half step, force");
+    for (auto& g : s.groups) {
+      g->transfer->finish_midpoint(sweep, g->particles, s.grid, g->stress(), g->velocity_class,
+                                   flip(*g), dt);
+      g->finish(sweep, s.grid, dt);
+      g->transfer->find_bins(sweep, g->particles);
+    }
+    sweep.run("midpoint");
     new_order();
-    if (anything_relaxes()) relax(s.groups, s.grid, s.sums, rates(), dt, s.sleep.volume());
+    if (anything_relaxes())
+      relax(s.groups, s.grid, s.sums, s.spare, rates(), dt, s.sleep.volume());
     if (s.scheme.relaxes_stress) relax_stress(s.groups, s.grid, s.means, dt);
     s.sleep.wake(s.groups, s.sorter);
   }
@@ -60,14 +70,18 @@ class Step {
   /// strain.
   void musl() {
     damp_against_walls();
-    know_cells();
-    force_to_grid();
+    if (!s.springs.empty()) s.springs.weigh(s.groups, s.grid, s.sums);
+    force_to_grid("force");
     for (auto& g : s.groups)
-      g->transfer->accelerate(g->particles, s.grid, g->velocity_class, flip(*g));
+      g->transfer->accelerate(sweep, g->particles, s.grid, g->velocity_class, flip(*g));
+    if (s.grid.mixed()) sweep.run("accelerate");  // all, before the nodes of one class are summed
     momentum_to_grid();
-    for (auto& g : s.groups)
-      g->transfer->gradient_and_move(g->particles, s.grid, s.grid.before, dt);
-    for (auto& g : s.groups) g->update(s.grid, dt);
+    for (auto& g : s.groups) {
+      g->transfer->gradient_and_move(sweep, g->particles, s.grid, s.grid.before, dt);
+      g->update(sweep, s.grid, dt);
+      g->transfer->find_bins(sweep, g->particles);
+    }
+    sweep.run("move, update");
     new_order();
   }
 
@@ -76,12 +90,6 @@ class Step {
     for (const auto& g : s.groups)
       if (g->relaxes()) return true;
     return false;
-  }
-
-  /// grid.before -> gradients of all particles.
-  void gradients() {
-    for (auto& g : s.groups)
-      g->transfer->gather_gradient(g->particles, s.grid.lattice, s.grid.before);
   }
 
   /// How many cells sound crosses in the step, at its fastest in a class.
@@ -104,14 +112,15 @@ class Step {
     return r;
   }
 
-  /// grid.own and grid.before <- velocities at the nodes, walls at rest.
+  /// grid.own and grid.before <- velocities at the nodes, walls at rest; after what the sweep holds.
   void momentum_to_grid() {
     s.stopped.assign(s.grid.own.size(), {});
     for (std::size_t c = 0; c < s.grid.own.size(); ++c) {
       s.sums.clear();
       for (auto& g : s.groups)
         if (g->velocity_class == static_cast<int>(c))
-          g->transfer->scatter_momentum(g->particles, s.grid.lattice, s.sums);
+          g->transfer->scatter_momentum(sweep, g->particles, s.sums);
+      sweep.run("momentum");
       s.stopped[c] = collect(D + 1, s.grid.image_mass[c]);
       const auto own = s.grid.own[c], total = s.sums.total;
       Kokkos::parallel_for(
@@ -144,28 +153,33 @@ class Step {
         });
   }
 
-  /// grid.cell and what follows from it, as far as fluids and the scheme ask for it.
-  void know_cells() {
-    if (s.grid.cell.extent(0) == 0) return;
-    s.sums.clear();
-    for (auto& g : s.groups)
-      if (g->fluid())
-        g->transfer->scatter_cells(g->particles, s.grid.lattice, s.sums);
-      else
-        g->transfer->scatter_overlap(g->particles, s.grid.lattice, D + 1, s.sums);
-    if (s.sleep.any()) s.sleep.fill(s.sums);
+  /// Does what the sweep holds and then sets grid.cell and what follows from it, as far as fluids
+  /// and the scheme ask for it.
+  void know_cells(const char* name) {
+    const bool wanted = s.grid.cell.extent(0) > 0;
+    if (wanted) {
+      s.sums.clear();
+      for (auto& g : s.groups)
+        if (g->fluid())
+          g->transfer->scatter_cells(sweep, g->particles, s.sums);
+        else
+          g->transfer->scatter_overlap(sweep, g->particles, D + 1, s.sums);
+    }
+    sweep.run(name);
+    if (!wanted) return;
     s.sums.contribute();
+    if (s.sleep.any()) s.sleep.fill(s.sums);
     average_cells(s.grid, s.sums);
     if (s.grid.scale.extent(0) > 0) scale_cells(s.grid);
     if (s.grid.smoothness.extent(0) > 0) limit_cells(s.grid);
   }
 
-  /// grid.after <- grid.before + dt f / m.
-  void force_to_grid() {
-    if (!s.springs.empty()) s.springs.weigh(s.groups, s.grid, s.sums);
+  /// grid.after <- grid.before + dt f / m, after what the sweep holds.
+  void force_to_grid(const char* name) {
     s.sums.clear();
-    for (auto& g : s.groups) g->transfer->scatter_force(g->particles, s.grid, g->stress(), s.sums);
-    if (s.sleep.any()) s.sleep.press(s.sums);
+    for (auto& g : s.groups)
+      g->transfer->scatter_force(sweep, g->particles, s.grid, g->stress(), s.sums);
+    sweep.run(name);
     push_walls(collect(D), dt);
     if (!s.springs.empty()) push_walls(s.springs.pull(s.grid, s.sums.total, dt), 1);
     for (std::size_t c = 0; c < s.grid.own.size(); ++c) push_walls(images(s.grid.before, c), 1);
@@ -185,6 +199,7 @@ class Step {
   /// Returns what walls, and gas that sleeps, have stopped.
   Vec<D> collect(int columns, const Table<double>& image_mass = {}) {
     s.sums.contribute();
+    if (s.sleep.any() && columns == D) s.sleep.press(s.sums);
     others.sum(s.sums);
     Vec<D> stopped = fold(s.sums.total, D, columns, s.grid.lattice, s.grid.boundaries, image_mass);
     const Vec<D> held = constrain(s.sums.total, s.grid.lattice, s.grid.boundaries);
@@ -221,16 +236,19 @@ class Step {
 
   void new_order() {
     for (auto& g : s.groups) {
+      bool known = true;
       if (g->fluid() && s.scheme.split_length > 0)
-        split(g->particles, s.grid.lattice, s.grid.boundaries, s.scheme.split_length, s.next_id);
-      arrange(*g);
+        known = split(g->particles, s.grid.lattice, s.grid.boundaries, s.scheme.split_length,
+                      s.next_id) == 0;
+      arrange(*g, known);
     }
     others.migrate(s.groups);
   }
 
-  /// Particles into their bins; those that have left are written off.
-  void arrange(Group<G>& g) {
-    const int left = s.sorter.sort(g.particles, *g.transfer, s.grid.lattice);
+  /// Particles into their bins, where these are known already; those that have left are written off.
+  void arrange(Group<G>& g, bool known = false) {
+    if (!known) g.transfer->find_bins(s.grid.lattice, g.particles);
+    const int left = s.sorter.sort(g.particles, s.grid.lattice);
     const int count = g.particles.count;
     if (left == 0) return;
     s.outflow += g.totals(count, count + left, g.transfer->affine_inertia(s.grid.lattice.h));

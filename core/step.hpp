@@ -28,6 +28,7 @@ struct StepScheme {
   double split_length = 0;  ///< fluids' particles longer than this many cells are split; 0: never
   RelaxationRates rates;
   bool relaxes_stress = false;  ///< whether any solid does
+  Summation summation = Summation::colours;
 };
 
 template <class G>
@@ -38,6 +39,7 @@ struct State {
   std::vector<std::unique_ptr<Group<G>>> groups;
   StepScheme scheme;
   Accumulator sums;
+  Accumulator spare;  ///< of relaxations, which read one while they write the other
   Accumulator means;  ///< of stress; empty unless the scheme relaxes it
   Sorter<G> sorter;
   Springs<G> springs;
@@ -58,8 +60,9 @@ struct State {
   State(const Grid<G>& grid_, const StepScheme& scheme_)
       : grid(grid_),
         scheme(scheme_),
-        sums(grid_.lattice.size, D + (grid_.mixed() ? 2 : 1)),
-        means(scheme_.relaxes_stress ? grid_.lattice.size : 0, 4) {}
+        sums(grid_.lattice.size, D + (grid_.mixed() ? 2 : 1), scheme_.summation),
+        spare(scheme_.rates.any() ? grid_.lattice.size : 0, 2, scheme_.summation),
+        means(scheme_.relaxes_stress ? grid_.lattice.size : 0, 4, scheme_.summation) {}
 
   /// Those that sleep included.
   long particles() const {

@@ -5,12 +5,14 @@
 namespace brisance {
 namespace {
 
-/// scratch <- scratch - S scratch.
+/// scratch <- scratch - S scratch, after what the sweep has to do before; the end of it is left to
+/// the sweep.
 template <class G>
-void remove_means(Group<G>& group, const Grid<G>& grid, Accumulator& means) {
+void remove_means(Sweep<G::dim>& in, Group<G>& group, const Grid<G>& grid, Accumulator& means) {
   const auto values = group.particles.scratch;
   means.clear();
-  group.transfer->scatter_means(group.particles, grid.lattice, values, means);
+  group.transfer->scatter_means(in, group.particles, values, means);
+  in.run("means of stress");
   means.contribute();
   fold(means.total, 0, 4, grid.lattice, grid.boundaries);
   const auto total = means.total;
@@ -20,7 +22,7 @@ void remove_means(Group<G>& group, const Grid<G>& grid, Accumulator& means) {
         for (int k = 0; k < 3; ++k) total(n, k) = weight > 0 ? total(n, k) / weight : 0;
       });
   fill(total, 0, 3, grid.lattice, grid.boundaries);
-  group.transfer->subtract_means(group.particles, grid.lattice, total, values);
+  group.transfer->subtract_means(in, group.particles, total, values);
 }
 
 }  // namespace
@@ -30,10 +32,13 @@ void relax_stress(std::vector<std::unique_ptr<Group<G>>>& groups, const Grid<G>&
                   Accumulator& means, double dt) {
   for (auto& group : groups) {
     if (group->fluid() || !(group->scheme.stress_relaxation > 0)) continue;
-    group->load_stress();
-    remove_means(*group, grid, means);
-    remove_means(*group, grid, means);
-    group->relax_stress(dt, grid.lattice.h);
+    Sweep<G::dim> sweep(grid.lattice);
+    group->load_stress(sweep);
+    remove_means(sweep, *group, grid, means);
+    sweep.run("rest of stress");  // before the means are made anew
+    remove_means(sweep, *group, grid, means);
+    group->relax_stress(sweep, dt);
+    sweep.run("relax stress");
   }
 }
 

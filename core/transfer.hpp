@@ -1,12 +1,13 @@
 #pragma once
 // The transfer seam: how particles and nodes exchange mass, momentum, force and velocity. It knows
 // geometry, shape, transfer scheme and whether stress is a number or a tensor; it does not know the
-// material.
+// material. Each function adds a stage to a sweep, which the step runs.
 #include <memory>
 #include <string>
 
 #include "core/grid.hpp"
 #include "core/particles.hpp"
+#include "core/schedule.hpp"
 
 namespace brisance {
 
@@ -39,57 +40,57 @@ class Transfer {
   /// sum over nodes of N r r, the second moment that carries affine kinetic energy. [m^2]
   virtual double affine_inertia(double h) const = 0;
 
-  /// bins(p) <- the bin of each particle: the first node that its shape touches; lattice.size when
-  /// it has left.
-  virtual void find_bins(const Particles<G>&, const Lattice<D>&, const Array<int>& bins) const = 0;
+  /// points.bin <- the bin of each particle: the first node that its shape touches; lattice.size
+  /// when it has left. As a stage, for those that lie in bins already; or at once, for all.
+  virtual void find_bins(Sweep<D>&, const Particles<G>&) const = 0;
+  virtual void find_bins(const Lattice<D>&, const Particles<G>&) const = 0;
 
   /// sums <- momentum (columns 0 .. D-1) and mass (column D). (A.1, A.2)
-  virtual void scatter_momentum(const Particles<G>&, const Lattice<D>&,
-                                const Accumulator&) const = 0;
+  virtual void scatter_momentum(Sweep<D>&, const Particles<G>&, const Accumulator&) const = 0;
 
   /// sums <- internal force. (A.3, minus sign restored)
-  virtual void scatter_force(const Particles<G>&, const Grid<G>&, Stress,
+  virtual void scatter_force(Sweep<D>&, const Particles<G>&, const Grid<G>&, Stress,
                              const Accumulator&) const = 0;
 
   /// Particle gradients <- gradient of a nodal velocity. (A.13)
-  virtual void gather_gradient(const Particles<G>&, const Lattice<D>&,
+  virtual void gather_gradient(Sweep<D>&, const Particles<G>&,
                                const Table<double>& velocity) const = 0;
 
   /// sums <- volume-weighted diagonal of the gradient and volume (column D) of each cell.
-  virtual void scatter_cells(const Particles<G>&, const Lattice<D>&, const Accumulator&) const = 0;
+  virtual void scatter_cells(Sweep<D>&, const Particles<G>&, const Accumulator&) const = 0;
 
   /// sums(column) <- volume of the particles, spread over the cells that their shapes overlap.
-  virtual void scatter_overlap(const Particles<G>&, const Lattice<D>&, int column,
+  virtual void scatter_overlap(Sweep<D>&, const Particles<G>&, int column,
                                const Accumulator&) const = 0;
 
   /// Particle velocity from the nodes, positions unmoved: FLIP with blend. (A.6, A.8)
-  virtual void accelerate(const Particles<G>&, const Grid<G>&, int velocity_class,
+  virtual void accelerate(Sweep<D>&, const Particles<G>&, const Grid<G>&, int velocity_class,
                           double flip) const = 0;
 
   /// Gradient of `velocity`, then the move with grid.after. (A.7, A.9, A.13)
-  virtual void gradient_and_move(const Particles<G>&, const Grid<G>&, const Table<double>& velocity,
-                                 double dt) const = 0;
+  virtual void gradient_and_move(Sweep<D>&, const Particles<G>&, const Grid<G>&,
+                                 const Table<double>& velocity, double dt) const = 0;
 
   /// The end of a midpoint step: velocity, affine field, move, mid-step gradient, and the specific
   /// energy that work and transfer give to each particle, so that total energy is kept to
   /// round-off.
-  virtual void finish_midpoint(const Particles<G>&, const Grid<G>&, Stress, int velocity_class,
-                               double flip, double dt) const = 0;
+  virtual void finish_midpoint(Sweep<D>&, const Particles<G>&, const Grid<G>&, Stress,
+                               int velocity_class, double flip, double dt) const = 0;
 
   /// sums <- N w v (column 0) and N w (column 1), for nodal means of a value v with weight w.
-  virtual void scatter_mean(const Particles<G>&, const Lattice<D>&, Entry value, Entry weight,
+  virtual void scatter_mean(Sweep<D>&, const Particles<G>&, Entry value, Entry weight,
                             const Accumulator&) const = 0;
 
   /// sums <- N w v for three values v (columns 0 .. 2) and N w (column 3), from columns 0 .. 3 of a
   /// table; and values <- values - sum over nodes of N field.
-  virtual void scatter_means(const Particles<G>&, const Lattice<D>&, const Table<double>& values,
+  virtual void scatter_means(Sweep<D>&, const Particles<G>&, const Table<double>& values,
                              const Accumulator&) const = 0;
-  virtual void subtract_means(const Particles<G>&, const Lattice<D>&, const Table<double>& field,
+  virtual void subtract_means(Sweep<D>&, const Particles<G>&, const Table<double>& field,
                               const Table<double>& values) const = 0;
 
   /// value <- keep * value + factor * sum over nodes of N field(node, column).
-  virtual void gather_scalar(const Particles<G>&, const Lattice<D>&, const Table<double>& field,
-                             int column, Entry value, double keep, double factor) const = 0;
+  virtual void gather_scalar(Sweep<D>&, const Particles<G>&, const Table<double>& field, int column,
+                             Entry value, double keep, double factor) const = 0;
 };
 
 template <class G>

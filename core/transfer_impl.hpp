@@ -5,6 +5,7 @@
 
 #include "core/transfer.hpp"
 #include "core/transfer_midpoint.hpp"
+#include "core/transfer_scatter.hpp"
 
 namespace brisance {
 
@@ -20,136 +21,101 @@ class TransferBy final : public Transfer<G> {
   bool cell_quadrature() const override { return M::cells; }
   double affine_inertia(double h) const override { return S::affine_inertia * h * h; }
 
-  void find_bins(const Particles<G>& points, const Lattice<D>& lattice,
-                 const Array<int>& bins) const override {
+  void find_bins(Sweep<D>& in, const Particles<G>& points) const override {
+    const R rows{points, in.lattice()};
+    in.add(
+        "find bins", KOKKOS_LAMBDA(const Row<D>& row) { rows.find_bins(row); });
+  }
+  void find_bins(const Lattice<D>& lattice, const Particles<G>& points) const override {
+    const R rows{points, lattice};
     Kokkos::parallel_for(
-        "find bins", Kokkos::RangePolicy<Space>(0, points.count), KOKKOS_LAMBDA(const int p) {
-          int base[D];
-          bool inside = true;
-          for (int d = 0; d < D; ++d) {
-            const double at = lattice.in_cells(points.position(p, d), d);
-            inside = inside && at >= 0 && at < lattice.cells[d];
-            base[d] = inside ? S::base(at) : 0;
-          }
-          bins(p) = inside ? lattice.index(base) : lattice.size;
-        });
+        "find all bins", Kokkos::RangePolicy<Space>(0, points.count),
+        KOKKOS_LAMBDA(const int p) { points.bin(p) = rows.bin_of(p); });
   }
 
-  void scatter_momentum(const Particles<G>& points, const Lattice<D>& lattice,
+  void scatter_momentum(Sweep<D>& in, const Particles<G>& points,
                         const Accumulator& sums) const override {
-    const R rows{points, lattice};
-    const auto scatter = sums.scatter;
-    for_rows(
-        "scatter momentum", lattice,
-        KOKKOS_LAMBDA(const Row<D>& row) { rows.momentum(row, scatter.access()); });
+    in.add("momentum", sums, ScatterMomentum<R>{{points, in.lattice()}});
   }
 
-  void scatter_force(const Particles<G>& points, const Grid<G>& grid, Stress stress,
+  void scatter_force(Sweep<D>& in, const Particles<G>& points, const Grid<G>& grid, Stress stress,
                      const Accumulator& sums) const override {
-    const R rows{points, grid.lattice};
-    const auto scatter = sums.scatter;
-    const auto scale = grid.scale;
+    const R rows{points, in.lattice()};
     if (stress == Stress::pressure)
-      for_rows(
-          "scatter force", grid.lattice, KOKKOS_LAMBDA(const Row<D>& row) {
-            rows.template force<Stress::pressure>(row, scale, scatter.access());
-          });
+      in.add("force", sums, ScatterForce<R, Stress::pressure>{rows, grid.scale});
     else
-      for_rows(
-          "scatter tensor force", grid.lattice, KOKKOS_LAMBDA(const Row<D>& row) {
-            rows.template force<Stress::tensor>(row, scale, scatter.access());
-          });
+      in.add("tensor force", sums, ScatterForce<R, Stress::tensor>{rows, grid.scale});
   }
 
-  void gather_gradient(const Particles<G>& points, const Lattice<D>& lattice,
+  void gather_gradient(Sweep<D>& in, const Particles<G>& points,
                        const Table<double>& velocity) const override {
-    const R rows{points, lattice};
-    for_rows(
-        "gather gradient", lattice,
-        KOKKOS_LAMBDA(const Row<D>& row) { rows.gradients(row, velocity); });
+    const R rows{points, in.lattice()};
+    in.add(
+        "gradient", KOKKOS_LAMBDA(const Row<D>& row) { rows.gradients(row, velocity); });
   }
 
-  void scatter_cells(const Particles<G>& points, const Lattice<D>& lattice,
+  void scatter_cells(Sweep<D>& in, const Particles<G>& points,
                      const Accumulator& sums) const override {
-    const R rows{points, lattice};
-    const auto scatter = sums.scatter;
-    for_rows(
-        "scatter cells", lattice,
-        KOKKOS_LAMBDA(const Row<D>& row) { rows.cells(row, scatter.access()); });
+    in.add("cells", sums, ScatterCells<R>{{points, in.lattice()}});
   }
 
-  void scatter_overlap(const Particles<G>& points, const Lattice<D>& lattice, int column,
+  void scatter_overlap(Sweep<D>& in, const Particles<G>& points, int column,
                        const Accumulator& sums) const override {
-    const R rows{points, lattice};
-    const auto scatter = sums.scatter;
-    for_rows(
-        "scatter overlap", lattice,
-        KOKKOS_LAMBDA(const Row<D>& row) { rows.overlap(row, column, scatter.access()); });
+    in.add("overlap", sums, ScatterOverlap<R>{{points, in.lattice()}, column});
   }
 
-  void accelerate(const Particles<G>& points, const Grid<G>& grid, int velocity_class,
+  void accelerate(Sweep<D>& in, const Particles<G>& points, const Grid<G>& grid, int velocity_class,
                   double flip) const override {
-    const R rows{points, grid.lattice};
+    const R rows{points, in.lattice()};
     const auto before = grid.before, after = grid.after, own = grid.own[velocity_class];
-    for_rows(
-        "accelerate", grid.lattice,
+    in.add(
+        "accelerate",
         KOKKOS_LAMBDA(const Row<D>& row) { rows.accelerate(row, before, after, own, flip); });
   }
 
-  void gradient_and_move(const Particles<G>& points, const Grid<G>& grid,
+  void gradient_and_move(Sweep<D>& in, const Particles<G>& points, const Grid<G>& grid,
                          const Table<double>& velocity, double dt) const override {
-    const R rows{points, grid.lattice};
+    const R rows{points, in.lattice()};
     const auto after = grid.after;
-    const auto boundaries = grid.boundaries;
-    for_rows(
-        "gradient and move", grid.lattice, KOKKOS_LAMBDA(const Row<D>& row) {
-          rows.gradient_and_move(row, velocity, after, boundaries, dt);
+    const Ends<D> ends(grid.lattice, grid.boundaries);
+    in.add(
+        "gradient and move", KOKKOS_LAMBDA(const Row<D>& row) {
+          rows.gradient_and_move(row, velocity, after, ends, dt);
         });
   }
 
-  void finish_midpoint(const Particles<G>& points, const Grid<G>& grid, Stress stress,
+  void finish_midpoint(Sweep<D>& in, const Particles<G>& points, const Grid<G>& grid, Stress stress,
                        int velocity_class, double flip, double dt) const override {
     if (stress == Stress::pressure)
-      for_rows("finish midpoint", grid.lattice,
-               midpoint<Stress::pressure>(points, grid, velocity_class, flip, dt));
+      in.add("finish midpoint", midpoint<Stress::pressure>(points, grid, velocity_class, flip, dt));
     else
-      for_rows("finish tensor midpoint", grid.lattice,
-               midpoint<Stress::tensor>(points, grid, velocity_class, flip, dt));
+      in.add("finish tensor midpoint",
+             midpoint<Stress::tensor>(points, grid, velocity_class, flip, dt));
   }
 
-  void scatter_mean(const Particles<G>& points, const Lattice<D>& lattice, Entry value,
-                    Entry weight, const Accumulator& sums) const override {
-    const R rows{points, lattice};
-    const auto scatter = sums.scatter;
-    for_rows(
-        "scatter mean", lattice, KOKKOS_LAMBDA(const Row<D>& row) {
-          rows.mean(row, value.table, value.column, weight.table, weight.column, scatter.access());
-        });
+  void scatter_mean(Sweep<D>& in, const Particles<G>& points, Entry value, Entry weight,
+                    const Accumulator& sums) const override {
+    in.add("mean", sums, ScatterMean<R>{{points, in.lattice()}, value, weight});
   }
 
-  void scatter_means(const Particles<G>& points, const Lattice<D>& lattice,
-                     const Table<double>& values, const Accumulator& sums) const override {
-    const R rows{points, lattice};
-    const auto scatter = sums.scatter;
-    for_rows(
-        "scatter means", lattice,
-        KOKKOS_LAMBDA(const Row<D>& row) { rows.means(row, values, scatter.access()); });
+  void scatter_means(Sweep<D>& in, const Particles<G>& points, const Table<double>& values,
+                     const Accumulator& sums) const override {
+    in.add("means", sums, ScatterMeans<R>{{points, in.lattice()}, values});
   }
 
-  void subtract_means(const Particles<G>& points, const Lattice<D>& lattice,
-                      const Table<double>& field, const Table<double>& values) const override {
-    const R rows{points, lattice};
-    for_rows(
-        "subtract means", lattice,
+  void subtract_means(Sweep<D>& in, const Particles<G>& points, const Table<double>& field,
+                      const Table<double>& values) const override {
+    const R rows{points, in.lattice()};
+    in.add(
+        "subtract means",
         KOKKOS_LAMBDA(const Row<D>& row) { rows.subtract_means(row, field, values); });
   }
 
-  void gather_scalar(const Particles<G>& points, const Lattice<D>& lattice,
-                     const Table<double>& field, int column, Entry value, double keep,
-                     double factor) const override {
-    const R rows{points, lattice};
-    for_rows(
-        "gather scalar", lattice, KOKKOS_LAMBDA(const Row<D>& row) {
+  void gather_scalar(Sweep<D>& in, const Particles<G>& points, const Table<double>& field,
+                     int column, Entry value, double keep, double factor) const override {
+    const R rows{points, in.lattice()};
+    in.add(
+        "gather scalar", KOKKOS_LAMBDA(const Row<D>& row) {
           rows.gather(row, field, column, value.table, value.column, keep, factor);
         });
   }
@@ -158,8 +124,14 @@ class TransferBy final : public Transfer<G> {
   template <Stress kind>
   static Midpoint<G, M, kind> midpoint(const Particles<G>& points, const Grid<G>& grid,
                                        int velocity_class, double flip, double dt) {
-    return {R{points, grid.lattice}, grid.before, grid.after, grid.own[velocity_class], grid.scale,
-            grid.boundaries,         flip,        dt};
+    return {R{points, grid.lattice},
+            grid.before,
+            grid.after,
+            grid.own[velocity_class],
+            grid.scale,
+            Ends<D>(grid.lattice, grid.boundaries),
+            flip,
+            dt};
   }
 };
 

@@ -22,7 +22,19 @@ struct Rows {
   static constexpr int D = G::dim;
   using S = typename M::Shape;
   using At = Stencil<G, S>;
-  static constexpr int nodes = At::nodes;
+  using P = typename At::P;
+  static constexpr int packs = At::packs;
+  template <int C>
+  using Field = Nodes<G, S, C>;
+  template <int C>
+  using Smooth = Interpolant<G, S, C>;
+
+  /// The velocities of the nodes of a bin.
+  struct Around {
+    Field<D> nodes;
+    Smooth<D> smooth;
+    KOKKOS_FORCEINLINE_FUNCTION explicit Around(const Field<D>& v) : nodes(v), smooth(v) {}
+  };
 
   Particles<G> points;
   Lattice<D> lattice;
@@ -40,77 +52,102 @@ struct Rows {
     }
   }
 
-  KOKKOS_INLINE_FUNCTION At stencil(const int (&base)[D], int p) const {
+  /// Calls f(p) for the particles of a row.
+  template <class F>
+  KOKKOS_INLINE_FUNCTION void for_points(const Row<D>& row, const F& f) const {
+    const int end = points.first(row.end);
+    for (int p = points.first(row.begin); p < end; ++p) f(p);
+  }
+
+  KOKKOS_INLINE_FUNCTION int bin_of(int p) const {
+    int base[D];
+    bool inside = true;
+    for (int d = 0; d < D; ++d) {
+      const double at = lattice.in_cells(points.position(p, d), d);
+      inside = inside && at >= 0 && at < lattice.cells[d];
+      base[d] = inside ? S::base(at) : 0;
+    }
+    return inside ? lattice.index(base) : lattice.size;
+  }
+
+  KOKKOS_INLINE_FUNCTION void find_bins(const Row<D>& row) const {
+    for_points(row, [&](int p) { points.bin(p) = bin_of(p); });
+  }
+
+  KOKKOS_FORCEINLINE_FUNCTION At stencil(const int (&base)[D], int p) const {
     return At(lattice, base, points, p);
   }
 
-  /// The gradient used for forces and strain rates: of the weights, or by moving least squares (N r
-  /// / inertia).
-  KOKKOS_INLINE_FUNCTION Vec<D> gradient(const At& at, int n) const {
-    if constexpr (!M::mls) return at.gradient(n);
-    Vec<D> g = at.arm(n);
-    const double f = at.weight(n) / (S::affine_inertia * lattice.h * lattice.h);
-    for (int d = 0; d < D; ++d) g[d] *= f;
-    return g;
+  /// Component d of the gradient used for forces and strain rates: of the weights, or by moving
+  /// least squares (N r / inertia).
+  KOKKOS_FORCEINLINE_FUNCTION P gradient(const At& at, int k, int d) const {
+    if constexpr (M::mls)
+      return at.weight[k] * at.arm(k, d) * P(square(lattice.per_h) / S::affine_inertia);
+    else
+      return at.gradient(k, d);
   }
 
-  template <int C, class Access>
-  KOKKOS_INLINE_FUNCTION void add(const Access& to, int bin, const double (&sum)[nodes][C]) const {
-    for (int n = 0; n < nodes; ++n) {
-      const int node = bin + At::offset(lattice, n);
-      for (int c = 0; c < C; ++c) to(node, c) += sum[n][c];
-    }
+  template <int C>
+  KOKKOS_FORCEINLINE_FUNCTION Smooth<C> smooth(const Table<double>& field, int bin,
+                                               int column = 0) const {
+    return Smooth<C>(Field<C>(field, lattice, bin, column));
+  }
+
+  /// sum over nodes of N v.
+  template <int C>
+  KOKKOS_FORCEINLINE_FUNCTION static Vec<C> mean(const Smooth<C>& v, const At& at) {
+    Vec<C> sum;
+    for (int c = 0; c < C; ++c) sum[c] = v.at(at, c);
+    return sum;
   }
 
   /// (A.1), (A.2); with an affine field m (v + C r) as in APIC (Jiang et al. 2015).
-  template <class Access>
-  KOKKOS_INLINE_FUNCTION void momentum(const Row<D>& row, const Access& to) const {
+  template <class To>
+  KOKKOS_INLINE_FUNCTION void momentum(const Row<D>& row, const To& to) const {
     for_bins(row, [&](int bin, int begin, int end, const int(&base)[D]) {
-      double sum[nodes][D + 1] = {};
+      Field<D + 1> sum;
       for (int p = begin; p < end; ++p) {
         const At at = stencil(base, p);
-        const double m = points.m(p);
+        const P m(points.m(p));
         const Vec<D> v = points.v(p);
         [[maybe_unused]] Mat<D> affine;
         if constexpr (M::affine) affine = points.matrix(points.affine, p);
-        for (int n = 0; n < nodes; ++n) {
-          const double nm = at.weight(n) * m;
-          sum[n][D] += nm;
+        for (int k = 0; k < packs; ++k) {
+          const P nm = at.weight[k] * m;
+          sum.value[D][k] += nm;
           for (int i = 0; i < D; ++i) {
-            double u = v[i];
-            if constexpr (M::affine) {
-              const Vec<D> r = at.arm(n);
-              for (int j = 0; j < D; ++j) u += affine(i, j) * r[j];
-            }
-            sum[n][i] += nm * u;
+            P u(v[i]);
+            if constexpr (M::affine)
+              for (int j = 0; j < D; ++j) u += P(affine(i, j)) * at.arm(k, j);
+            sum.value[i][k] += nm * u;
           }
         }
       }
-      add(to, bin, sum);
+      sum.add_to(to, lattice, bin);
     });
   }
 
   /// (A.3): -V sigma . grad N. With cell quadrature the mean stress of the cell acts through the
   /// gradient at its centre, so that a uniform pressure in full cells gives exactly no force.
-  template <Stress kind, class Access>
+  template <Stress kind, class To>
   KOKKOS_INLINE_FUNCTION void force(const Row<D>& row, const Table<double>& scale,
-                                    const Access& to) const {
+                                    const To& to) const {
     for_bins(row, [&](int bin, int begin, int end, const int(&base)[D]) {
-      double sum[nodes][D] = {};
+      Field<D> sum;
       if constexpr (M::cells) {
         Sym3 total;
         for (int p = begin; p < end; ++p) add_stress<kind>(total, p);
-        for (int n = 0; n < nodes; ++n)
-          pull<kind>(sum[n], total, centre_gradient<G>(n, lattice.h), scale(bin, 0));
+        pull<kind>(sum, total, scale(bin, 0),
+                   [&](int k, int d) { return centre_gradient<G>(k, d, lattice.per_h); });
       } else {
         for (int p = begin; p < end; ++p) {
           const At at = stencil(base, p);
           Sym3 total;
           add_stress<kind>(total, p);
-          for (int n = 0; n < nodes; ++n) pull<kind>(sum[n], total, gradient(at, n), 1);
+          pull<kind>(sum, total, 1, [&](int k, int d) { return gradient(at, k, d); });
         }
       }
-      add(to, bin, sum);
+      sum.add_to(to, lattice, bin);
     });
   }
 
@@ -125,98 +162,119 @@ struct Rows {
     }
   }
 
-  template <Stress kind>
-  KOKKOS_INLINE_FUNCTION static void pull(double (&force)[D], const Sym3& s, const Vec<D>& g,
-                                          double factor) {
-    for (int i = 0; i < D; ++i) {
-      if constexpr (kind == Stress::pressure)
-        force[i] -= factor * s[0] * g[i];
-      else
-        for (int j = 0; j < D; ++j) force[i] -= factor * s[Sym3::at(i, j)] * g[j];
-    }
+  template <Stress kind, class Gradient>
+  KOKKOS_INLINE_FUNCTION static void pull(Field<D>& force, const Sym3& s, double factor,
+                                          const Gradient& g) {
+    for (int k = 0; k < packs; ++k)
+      for (int i = 0; i < D; ++i) {
+        if constexpr (kind == Stress::pressure)
+          force.value[i][k] += P(-factor * s[0]) * g(k, i);
+        else
+          for (int j = 0; j < D; ++j)
+            force.value[i][k] += P(-factor * s[Sym3::at(i, j)]) * g(k, j);
+      }
   }
 
-  /// (A.13) at one particle, or once for the cell.
-  KOKKOS_INLINE_FUNCTION static void add_outer(Mat<D>& m, const Vec<D>& v, const Vec<D>& g) {
+  /// (A.13): sum over nodes of v grad N.
+  KOKKOS_FORCEINLINE_FUNCTION Mat<D> velocity_gradient(const Around& v, const At& at) const {
+    Mat<D> sum;
     for (int i = 0; i < D; ++i)
-      for (int j = 0; j < D; ++j) m(i, j) += v[i] * g[j];
-  }
-
-  KOKKOS_INLINE_FUNCTION Mat<D> velocity_gradient(const Nodes<G, S, D>& v, const At& at) const {
-    Mat<D> gradient_;
-    for (int n = 0; n < nodes; ++n)
-      add_outer(gradient_, v[n], M::cells ? centre_gradient<G>(n, lattice.h) : gradient(at, n));
-    return gradient_;
+      for (int j = 0; j < D; ++j) {
+        if constexpr (M::cells) {
+          sum(i, j) = v.smooth.centre_slope(i, j, lattice.per_h);
+        } else if constexpr (M::mls) {
+          P here;
+          for (int k = 0; k < packs; ++k) here += gradient(at, k, j) * v.nodes.value[i][k];
+          sum(i, j) = here.sum();
+        } else {
+          sum(i, j) = v.smooth.slope(at, i, j, lattice.per_h);
+        }
+      }
+    return sum;
   }
 
   KOKKOS_INLINE_FUNCTION void gradients(const Row<D>& row, const Table<double>& velocity) const {
     for_bins(row, [&](int bin, int begin, int end, const int(&base)[D]) {
-      const Nodes<G, S, D> v(velocity, lattice, bin);
+      const Around v(Field<D>(velocity, lattice, bin));
       for (int p = begin; p < end; ++p)
         points.set_matrix(points.gradient, p, velocity_gradient(v, stencil(base, p)));
     });
   }
 
   /// A step along the grid velocity (A.9), then what the ends of the domain demand.
-  KOKKOS_INLINE_FUNCTION void move(int p, const Vec<D>& u, double dt,
-                                   const Boundaries<D>& boundaries) const {
+  KOKKOS_FORCEINLINE_FUNCTION void move(int p, const Vec<D>& u, double dt,
+                                        const Ends<D>& ends) const {
     for (int d = 0; d < D; ++d)
-      points.position(p, d) = boundaries.settle(lattice, d, points.position(p, d) + dt * u[d]);
+      points.position(p, d) = ends.settle(d, points.position(p, d) + dt * u[d]);
   }
 
   /// (A.6), (A.8), and a blend of `1 - flip` toward the grid velocity.
   KOKKOS_INLINE_FUNCTION void accelerate(const Row<D>& row, const Table<double>& before,
                                          const Table<double>& after, const Table<double>& own,
                                          double flip) const {
+    const double drawn = 1 - flip;
     for_bins(row, [&](int bin, int begin, int end, const int(&base)[D]) {
-      const Nodes<G, S, D> v0(before, lattice, bin), v1(after, lattice, bin),
-          mine(own, lattice, bin);
+      const Field<D> v0(before, lattice, bin);
+      Field<D> gain(after, lattice, bin);
+      for (int d = 0; d < D; ++d)
+        for (int k = 0; k < packs; ++k) gain.value[d][k] = gain.value[d][k] - v0.value[d][k];
+      const Smooth<D> change(gain), mine = smooth<D>(own, bin);
       for (int p = begin; p < end; ++p) {
         const At at = stencil(base, p);
-        Vec<D> v = points.v(p), change;
-        for (int n = 0; n < nodes; ++n) {
-          const double w = at.weight(n);
-          for (int i = 0; i < D; ++i)
-            change[i] +=
-                w * (v1.value[n][i] - v0.value[n][i] + (1 - flip) * (mine.value[n][i] - v[i]));
+        for (int i = 0; i < D; ++i) {
+          const double v = points.velocity(p, i);
+          double drift = 0;
+          if (drawn != 0) drift = v - mine.at(at, i);
+          points.velocity(p, i) = v + change.at(at, i) - drawn * drift;
         }
-        for (int i = 0; i < D; ++i) points.velocity(p, i) = v[i] + change[i];
       }
     });
   }
 
   KOKKOS_INLINE_FUNCTION void gradient_and_move(const Row<D>& row, const Table<double>& velocity,
-                                                const Table<double>& after,
-                                                const Boundaries<D>& boundaries, double dt) const {
+                                                const Table<double>& after, const Ends<D>& ends,
+                                                double dt) const {
     for_bins(row, [&](int bin, int begin, int end, const int(&base)[D]) {
-      const Nodes<G, S, D> v1(after, lattice, bin), v(velocity, lattice, bin);
+      const Smooth<D> v1 = smooth<D>(after, bin);
+      const Around v(Field<D>(velocity, lattice, bin));
       for (int p = begin; p < end; ++p) {
         const At at = stencil(base, p);
         const Mat<D> gradient_ = velocity_gradient(v, at);
         points.set_matrix(points.gradient, p, gradient_);
         points.stretch(p, gradient_, dt);
-        Vec<D> u;
-        for (int n = 0; n < nodes; ++n)
-          for (int i = 0; i < D; ++i) u[i] += at.weight(n) * v1.value[n][i];
-        move(p, u, dt, boundaries);
+        move(p, mean(v1, at), dt, ends);
       }
     });
   }
 
   /// sums <- V times the diagonal of L, and V, of the cell that holds each particle.
-  template <class Access>
-  KOKKOS_INLINE_FUNCTION void cells(const Row<D>& row, const Access& to) const {
-    for (int p = points.first(row.begin); p < points.first(row.end); ++p) {
-      const int cell = lattice.cell_of(points.x(p));
+  template <class To>
+  KOKKOS_INLINE_FUNCTION void cells(const Row<D>& row, const To& to) const {
+    const auto add = [&](int cell, const Vec<D + 1>& sum) {
+      for (int c = 0; c <= D; ++c) to(cell, c) += sum.a[c];
+    };
+    const auto add_point = [&](Vec<D + 1>& sum, int p) {
       const double v = points.vol(p);
-      for (int d = 0; d < D; ++d) to(cell, d) += v * points.gradient(p, d * D + d);
-      to(cell, D) += v;
-    }
+      for (int d = 0; d < D; ++d) sum[d] += v * points.gradient(p, d * D + d);
+      sum[D] += v;
+    };
+    if constexpr (S::width == 2)  // a bin is a cell
+      for_bins(row, [&](int bin, int begin, int end, const int(&)[D]) {
+        Vec<D + 1> sum;
+        for (int p = begin; p < end; ++p) add_point(sum, p);
+        add(bin, sum);
+      });
+    else
+      for_points(row, [&](int p) {
+        Vec<D + 1> sum;
+        add_point(sum, p);
+        add(lattice.cell_of(points.x(p)), sum);
+      });
   }
 
   /// sums(column) <- V of each particle, spread over the cells that its shape overlaps.
-  template <class Access>
-  KOKKOS_INLINE_FUNCTION void overlap(const Row<D>& row, int column, const Access& to) const {
+  template <class To>
+  KOKKOS_INLINE_FUNCTION void overlap(const Row<D>& row, int column, const To& to) const {
     constexpr int W = S::cells;
     for_bins(row, [&](int bin, int begin, int end, const int(&base)[D]) {
       for (int p = begin; p < end; ++p) {
@@ -240,52 +298,48 @@ struct Rows {
     });
   }
 
-  template <class Access>
+  template <class To>
   KOKKOS_INLINE_FUNCTION void mean(const Row<D>& row, const Table<double>& value, int vc,
-                                   const Table<double>& weight, int wc, const Access& to) const {
+                                   const Table<double>& weight, int wc, const To& to) const {
     for_bins(row, [&](int bin, int begin, int end, const int(&base)[D]) {
-      double sum[nodes][2] = {};
+      Field<2> sum;
       for (int p = begin; p < end; ++p) {
         const At at = stencil(base, p);
-        const double w = weight(p, wc), wv = w * value(p, vc);
-        for (int n = 0; n < nodes; ++n) {
-          sum[n][0] += at.weight(n) * wv;
-          sum[n][1] += at.weight(n) * w;
+        const P w(weight(p, wc)), v(value(p, vc));
+        for (int k = 0; k < packs; ++k) {
+          const P share = at.weight[k] * w;
+          sum.value[0][k] += share * v;
+          sum.value[1][k] += share;
         }
       }
-      add(to, bin, sum);
+      sum.add_to(to, lattice, bin);
     });
   }
 
-  template <class Access>
+  template <class To>
   KOKKOS_INLINE_FUNCTION void means(const Row<D>& row, const Table<double>& values,
-                                    const Access& to) const {
+                                    const To& to) const {
     for_bins(row, [&](int bin, int begin, int end, const int(&base)[D]) {
-      double sum[nodes][4] = {};
+      Field<4> sum;
       for (int p = begin; p < end; ++p) {
         const At at = stencil(base, p);
-        const double weight = values(p, 3);
-        const double v[4] = {weight * values(p, 0), weight * values(p, 1), weight * values(p, 2),
-                             weight};
-        for (int n = 0; n < nodes; ++n)
-          for (int k = 0; k < 4; ++k) sum[n][k] += at.weight(n) * v[k];
+        for (int k = 0; k < packs; ++k) {
+          const P share = at.weight[k] * P(values(p, 3));
+          for (int c = 0; c < 3; ++c) sum.value[c][k] += share * P(values(p, c));
+          sum.value[3][k] += share;
+        }
       }
-      add(to, bin, sum);
+      sum.add_to(to, lattice, bin);
     });
   }
 
   KOKKOS_INLINE_FUNCTION void subtract_means(const Row<D>& row, const Table<double>& field,
                                              const Table<double>& values) const {
     for_bins(row, [&](int bin, int begin, int end, const int(&base)[D]) {
-      double f[nodes][3];
-      for (int n = 0; n < nodes; ++n)
-        for (int k = 0; k < 3; ++k) f[n][k] = field(bin + At::offset(lattice, n), k);
+      const Smooth<3> f = smooth<3>(field, bin);
       for (int p = begin; p < end; ++p) {
         const At at = stencil(base, p);
-        double sum[3] = {};
-        for (int n = 0; n < nodes; ++n)
-          for (int k = 0; k < 3; ++k) sum[k] += at.weight(n) * f[n][k];
-        for (int k = 0; k < 3; ++k) values(p, k) -= sum[k];
+        for (int k = 0; k < 3; ++k) values(p, k) -= f.at(at, k);
       }
     });
   }
@@ -294,14 +348,9 @@ struct Rows {
                                      const Table<double>& value, int vc, double keep,
                                      double factor) const {
     for_bins(row, [&](int bin, int begin, int end, const int(&base)[D]) {
-      double f[nodes];
-      for (int n = 0; n < nodes; ++n) f[n] = field(bin + At::offset(lattice, n), column);
-      for (int p = begin; p < end; ++p) {
-        const At at = stencil(base, p);
-        double sum = 0;
-        for (int n = 0; n < nodes; ++n) sum += at.weight(n) * f[n];
-        value(p, vc) = keep * value(p, vc) + factor * sum;
-      }
+      const Smooth<1> f = smooth<1>(field, bin, column);
+      for (int p = begin; p < end; ++p)
+        value(p, vc) = keep * value(p, vc) + factor * f.at(stencil(base, p), 0);
     });
   }
 };

@@ -138,7 +138,9 @@ void keep(Archive& archive, State<G>& state) {
   for (auto& group : state.groups) {
     {
       const Archive::Part part(archive, "material " + group->label);
-      archive.keep("floors", group->floors);
+      long floors = group->floors();
+      archive.keep("floors", floors);
+      group->set_floors(floors);
       keep_particles(archive, group->particles);
     }
     // Particles are in the order of their bins already, which a stable sort keeps: this finds where

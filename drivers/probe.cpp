@@ -192,18 +192,20 @@ void Riders<G>::carry_with(const Group<G>& group, const State<G>& state, double 
   // Particles move with the mean of the grid's velocities before and after, or with those after
   // (A.9).
   const double before = state.scheme.midpoint ? 0.5 : 0;
+  Sweep<D> sweep(lattice);
   for (int d = 0; d < D; ++d) {
     const Entry v{points_.velocity, d};
-    transfer.gather_scalar(points_, lattice, state.grid.before, d, v, 0, before);
-    transfer.gather_scalar(points_, lattice, state.grid.after, d, v, 1, 1 - before);
+    transfer.gather_scalar(sweep, points_, state.grid.before, d, v, 0, before);
+    transfer.gather_scalar(sweep, points_, state.grid.after, d, v, 1, 1 - before);
   }
+  sweep.run("velocity of riders");
   const Particles<G> points = points_;
-  const Boundaries<D> boundaries = state.grid.boundaries;
+  const Ends<D> ends(lattice, state.grid.boundaries);
   Kokkos::parallel_for(
       "ride", Kokkos::RangePolicy<Space>(0, points.count), KOKKOS_LAMBDA(const int p) {
         for (int d = 0; d < D; ++d)
           points.position(p, d) =
-              boundaries.settle(lattice, d, points.position(p, d) + dt * points.velocity(p, d));
+              ends.settle(d, points.position(p, d) + dt * points.velocity(p, d));
       });
   Kokkos::deep_copy(place, points_.position);
   Kokkos::deep_copy(id, points_.id);

@@ -113,7 +113,7 @@ class SimulationIn final : public Simulation {
       });
       b.totals += of_group;
       b.materials.push_back({g->label, !g->fluid(), of_group});
-      b.floors += g->floors;
+      b.floors += g->floors();
     }
     b.totals.internal -= owed();
     return b;
@@ -151,6 +151,7 @@ class SimulationIn final : public Simulation {
     f.cells = 1;
     for (int d = 0; d < D; ++d) f.cells *= state_.grid.lattice.cells[d];
     f.grid_bytes = static_cast<double>(state_.grid.bytes() + state_.sums.bytes() +
+                                       state_.spare.bytes() +
                                        state_.means.bytes() + state_.sleep.bytes());
     f.sort_bytes = static_cast<double>(state_.sorter.bytes());
     return f;

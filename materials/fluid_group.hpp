@@ -8,34 +8,35 @@ template <class G, class M>
 class FluidGroup final : public MaterialGroup<G, M> {
  public:
   using MaterialGroup<G, M>::MaterialGroup;
+  using MaterialGroup<G, M>::D;
   using History = typename M::History;
 
   bool relaxes() const override { return M::thermal; }
 
   void start() override {
     const Point point = this->point();
-    this->each(
-        "start", KOKKOS_LAMBDA(const int p) { point.refresh(p); });
+    Kokkos::parallel_for(
+        "start", this->range(), KOKKOS_LAMBDA(const int p) { point.refresh(p); });
   }
 
-  void half_step(const Grid<G>& grid, double dt) override {
+  void half_step(Sweep<D>& in, const Grid<G>& grid, double dt) override {
     const Point point = this->point();
     const Around around(grid);
     this->each(
-        "half step", KOKKOS_LAMBDA(const int p) {
-          const Strain in = point.strain(p, 0.5 * dt, around);
+        in, "half step", KOKKOS_LAMBDA(const int p) {
+          const Strain strain = point.strain(p, 0.5 * dt, around);
           History h = point.load(p);
           const Response r =
-              point.material.update(in, point.particles.template sigma<M::stress>(p), h);
+              point.material.update(strain, point.particles.template sigma<M::stress>(p), h);
           point.particles.template set_sigma<M::stress>(p, r.stress);
         });
   }
 
-  void finish(const Grid<G>& grid, double dt) override {
+  void finish(Sweep<D>& in, const Grid<G>& grid, double dt) override {
     const Point point = this->point();
     const Around around(grid);
     this->each(
-        "strain", KOKKOS_LAMBDA(const int p) {
+        in, "strain", KOKKOS_LAMBDA(const int p) {
           const Sym3 rate = strain_rate<G>(point.particles.matrix(point.particles.gradient, p));
           if constexpr (M::burns) {
             History h = point.load(p);
@@ -44,31 +45,31 @@ class FluidGroup final : public MaterialGroup<G, M> {
           }
           point.particles.vol(p) *= point.growth(rate, dt);
         });
-    receive_energy("receive energy");
+    receive_energy(in, "receive energy");
   }
 
-  void update(const Grid<G>& grid, double dt) override {
+  void update(Sweep<D>& in, const Grid<G>& grid, double dt) override {
     const Point point = this->point();
     const Around around(grid);
     const bool printed = this->scheme.printed_work;
     this->each(
-        "update", KOKKOS_LAMBDA(const int p) {
-          Strain in = point.strain(p, dt, around);
-          in.viscous_before = true;
-          if (printed) in.volume_change = trace(in.rate) * dt / in.rho1;
+        in, "update", KOKKOS_LAMBDA(const int p) {
+          Strain strain = point.strain(p, dt, around);
+          strain.viscous_before = true;
+          if (printed) strain.volume_change = trace(strain.rate) * dt / strain.rho1;
           History h = point.load(p);
           const Response r =
-              point.material.update(in, point.particles.template sigma<M::stress>(p), h);
-          point.particles.vol(p) = point.particles.m(p) / in.rho1;
+              point.material.update(strain, point.particles.template sigma<M::stress>(p), h);
+          point.particles.vol(p) *= strain.growth;
           point.particles.template set_sigma<M::stress>(p, r.stress);
           point.save(p, h);
         });
   }
 
-  void correct_volume(double rate) override {
+  void correct_volume(Sweep<D>& in, double rate) override {
     const Point point = this->point();
     this->each(
-        "correct volume", KOKKOS_LAMBDA(const int p) {
+        in, "correct volume", KOKKOS_LAMBDA(const int p) {
           const double s = point.particles.scratch(p, 0), emptiness = point.particles.scratch(p, 1);
           if (emptiness > 0 || !(s > 0) || !M::relaxes(point.load(p))) return;
           const double share = rate * point.material.eos.volume_share;
@@ -77,18 +78,19 @@ class FluidGroup final : public MaterialGroup<G, M> {
         });
   }
 
-  void load_pressure() override {
+  void load_pressure(Sweep<D>& in) override {
     const Point point = this->point();
     this->each(
-        "load pressure", KOKKOS_LAMBDA(const int p) {
+        in, "load pressure", KOKKOS_LAMBDA(const int p) {
           point.particles.scratch(p, 0) = -point.particles.template sigma<M::stress>(p)[0];
         });
   }
 
-  void propose_exchange(double rate, double dt, double h_cell) override {
+  void propose_exchange(Sweep<D>& in, double rate, double dt) override {
+    const double h_cell = in.lattice().h;
     const Point point = this->point();
     this->each(
-        "propose exchange", KOKKOS_LAMBDA(const int p) {
+        in, "propose exchange", KOKKOS_LAMBDA(const int p) {
           const History h = point.load(p);
           const double pressure = point.pressure(p), smooth = point.smooth_pressure(p);
           double z = 0;
@@ -104,10 +106,10 @@ class FluidGroup final : public MaterialGroup<G, M> {
         });
   }
 
-  void exchange_volume() override {
+  void exchange_volume(Sweep<D>& in) override {
     const Point point = this->point();
     this->each(
-        "exchange volume", KOKKOS_LAMBDA(const int p) {
+        in, "exchange volume", KOKKOS_LAMBDA(const int p) {
           const History h = point.load(p);
           const double inner = M::relaxes(h) ? point.particles.m(p) * h.energy : 0,
                        volume = point.particles.vol(p);
@@ -118,21 +120,21 @@ class FluidGroup final : public MaterialGroup<G, M> {
         });
   }
 
-  void exchange_energy() override {
+  void exchange_energy(Sweep<D>& in) override {
     const Point point = this->point();
     this->each(
-        "exchange energy", KOKKOS_LAMBDA(const int p) {
+        in, "exchange energy", KOKKOS_LAMBDA(const int p) {
           const History h = point.load(p);
           point.particles.work(p, 0) =
               M::relaxes(h) ? -point.particles.scratch(p, 0) * h.energy : 0;
         });
-    receive_energy("receive exchange");
+    receive_energy(in, "receive exchange");
   }
 
-  void load_heat(double rate, double dt) override {
+  void load_heat(Sweep<D>& in, double rate, double dt) override {
     const Point point = this->point();
     this->each(
-        "load heat", KOKKOS_LAMBDA(const int p) {
+        in, "load heat", KOKKOS_LAMBDA(const int p) {
           const double compression = -trace(point.particles.matrix(point.particles.gradient, p));
           const History h = point.load(p);
           const double share = M::conducts && M::relaxes(h) ? rate * dt * compression : 0;
@@ -141,10 +143,10 @@ class FluidGroup final : public MaterialGroup<G, M> {
         });
   }
 
-  void conduct() override {
+  void conduct(Sweep<D>& in) override {
     const Point point = this->point();
     this->each(
-        "conduct", KOKKOS_LAMBDA(const int p) {
+        in, "conduct", KOKKOS_LAMBDA(const int p) {
           const double share = point.particles.scratch(p, 1) / point.particles.m(p);
           if (!(share > 0)) return;
           History h = point.load(p);
@@ -162,11 +164,11 @@ class FluidGroup final : public MaterialGroup<G, M> {
   /// of what it was in one go: what a particle lacks for that, the others of its bin give, in
   /// proportion to what they can spare. What they cannot is owed to the bin, for the next group or
   /// step that can: light gas beside heavy products lacks more than all of it holds.
-  void receive_energy(const char* name) {
+  void receive_energy(Sweep<D>& in, const char* name) {
     const Point point = this->point();
     if constexpr (!M::thermal) {
       this->each(
-          name, KOKKOS_LAMBDA(const int p) {
+          in, name, KOKKOS_LAMBDA(const int p) {
             History h = point.load(p);
             h.energy += point.particles.work(p, 0);
             point.save(p, h);
@@ -177,29 +179,30 @@ class FluidGroup final : public MaterialGroup<G, M> {
     const auto first = point.particles.first;
     const auto owed = this->debt;
     const bool on_credit = owed.extent(0) > 0;
-    int held = 0;
-    Kokkos::parallel_reduce(
-        name, Kokkos::RangePolicy<Space>(0, static_cast<int>(first.extent(0)) - 2),
-        KOKKOS_LAMBDA(const int bin, int& sum) {
-          double lacking = 0, spare = 0;
-          for (int p = first(bin); p < first(bin + 1); ++p) {
-            const double e = point.load(p).energy, margin = 0.8 * e + point.particles.work(p, 0);
-            (margin < 0 ? lacking : spare) += point.particles.m(p) * fabs(margin);
+    const auto floors = this->floors_;
+    in.add(
+        name, KOKKOS_LAMBDA(const Row<D>& row) {
+          std::int64_t held = 0;
+          for (int bin = row.begin; bin < row.end; ++bin) {
+            double lacking = 0, spare = 0;
+            for (int p = first(bin); p < first(bin + 1); ++p) {
+              const double e = point.load(p).energy, margin = 0.8 * e + point.particles.work(p, 0);
+              (margin < 0 ? lacking : spare) += point.particles.m(p) * fabs(margin);
+            }
+            held += lacking > spare;
+            if (on_credit) lacking += owed(bin);
+            const double share = lacking > 0 ? (spare > lacking ? lacking / spare : 1) : 0;
+            if (on_credit) owed(bin) = most(lacking - spare, 0);
+            for (int p = first(bin); p < first(bin + 1); ++p) {
+              History h = point.load(p);
+              const double margin = 0.8 * h.energy + point.particles.work(p, 0);
+              h.energy = 0.2 * h.energy + (margin < 0 ? 0 : margin * (1 - share));
+              point.save(p, h);
+              point.refresh(p);
+            }
           }
-          sum += lacking > spare;
-          if (on_credit) lacking += owed(bin);
-          const double share = lacking > 0 ? (spare > lacking ? lacking / spare : 1) : 0;
-          if (on_credit) owed(bin) = most(lacking - spare, 0);
-          for (int p = first(bin); p < first(bin + 1); ++p) {
-            History h = point.load(p);
-            const double margin = 0.8 * h.energy + point.particles.work(p, 0);
-            h.energy = 0.2 * h.energy + (margin < 0 ? 0 : margin * (1 - share));
-            point.save(p, h);
-            point.refresh(p);
-          }
-        },
-        held);
-    this->floors += held;
+          if (held > 0) Kokkos::atomic_add(&floors(), held);
+        });
   }
 };
 

@@ -50,20 +50,38 @@ class MaterialGroup : public Group<G> {
         });
   }
 
-  Signals signals(double h) const override {
+  void find_signals(Sweep<D>& in) override {
+    if (static_cast<int>(signals_.extent(0)) != in.rows())
+      signals_ = Table<double>("signals of rows", in.rows(), 2);
     const Point point = this->point();
-    const double strain_length = this->scheme.strain_length;
+    const double strain_length = this->scheme.strain_length, h = in.lattice().h;
+    const auto of_rows = signals_;
+    in.add(
+        "signals", KOKKOS_LAMBDA(const Row<D>& row) {
+          double over_grid = 0, in_matter = 0;
+          const int end = point.particles.first(row.end);
+          for (int p = point.particles.first(row.begin); p < end; ++p) {
+            const Sym3 rate = strain_rate<G>(point.particles.matrix(point.particles.gradient, p));
+            const double rho = point.rho(p), c = point.material.sound_speed(rho, point.load(p));
+            const double signal = point.material.signal_speed(rate, rho, c, h);
+            double v = 0;
+            for (int d = 0; d < D; ++d) v = most(v, fabs(point.particles.velocity(p, d)));
+            in_matter = most(in_matter, finite(signal));
+            over_grid = most(over_grid, finite(most(v + signal, strain_length * fabs(trace(rate)))));
+          }
+          of_rows(row.number, 0) = over_grid;
+          of_rows(row.number, 1) = in_matter;
+        });
+  }
+
+  Signals signals() const override {
+    const auto of_rows = signals_;
     Signals s;
     Kokkos::parallel_reduce(
-        "signals", range(),
-        KOKKOS_LAMBDA(const int p, double& over_grid, double& in_matter) {
-          const Sym3 rate = strain_rate<G>(point.particles.matrix(point.particles.gradient, p));
-          const double rho = point.rho(p), c = point.material.sound_speed(rho, point.load(p));
-          const double signal = point.material.signal_speed(rate, rho, c, h);
-          double v = 0;
-          for (int d = 0; d < D; ++d) v = most(v, fabs(point.particles.velocity(p, d)));
-          in_matter = most(in_matter, finite(signal));
-          over_grid = most(over_grid, finite(most(v + signal, strain_length * fabs(trace(rate)))));
+        "fastest signals", Kokkos::RangePolicy<Space>(0, static_cast<int>(of_rows.extent(0))),
+        KOKKOS_LAMBDA(const int r, double& over_grid, double& in_matter) {
+          over_grid = most(over_grid, of_rows(r, 0));
+          in_matter = most(in_matter, of_rows(r, 1));
         },
         Kokkos::Max<double>(s.over_grid), Kokkos::Max<double>(s.in_matter));
     return {most(s.over_grid, 0), most(s.in_matter, 0)};
@@ -71,6 +89,9 @@ class MaterialGroup : public Group<G> {
 
   Totals totals(int begin, int end, double affine_inertia) const override;
   void report(const Array<double>& pressure, const Array<double>& energy) const override;
+
+ private:
+  Table<double> signals_;  ///< of each row: the fastest over the grid and in matter [m/s]
 
  protected:
   M material;
@@ -83,9 +104,15 @@ class MaterialGroup : public Group<G> {
     return Kokkos::RangePolicy<Space>(0, this->particles.count);
   }
 
+  /// A stage that does f(p) for each particle; what it does to one does not concern another.
   template <class F>
-  void each(const char* name, const F& f) {
-    Kokkos::parallel_for(name, range(), f);
+  void each(Sweep<D>& in, const char* name, const F& f) {
+    const auto first = this->particles.first;
+    in.add(
+        name, KOKKOS_LAMBDA(const Row<D>& row) {
+          const int begin = first(row.begin), end = first(row.end);
+          for (int p = begin; p < end; ++p) f(p);
+        });
   }
   /// Infinity for what is not a number, which a maximum would pass over.
   KOKKOS_INLINE_FUNCTION static double finite(double speed) {

@@ -29,6 +29,7 @@ struct Strain {
   Sym3 rate;                  ///< rate of deformation [1/s]
   double dt = 0;              ///< [s]
   double time = 0;            ///< at its end [s]
+  double growth = 1;          ///< volume after over that before [-]
   double rho0 = 0, rho1 = 0;  ///< density before and after [kg/m^3]
   double volume_change = 0;   ///< change of specific volume that pressure works on [m^3/kg]
   double h = 0;               ///< cell size, over which shocks and cracks are spread [m]

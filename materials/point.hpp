@@ -64,8 +64,9 @@ struct MaterialPoint {
     in.dt = dt;
     in.time = around.time + dt;
     in.rho0 = rho(p);
-    in.rho1 = in.rho0 / growth(in.rate, dt);
-    in.volume_change = 1 / in.rho1 - 1 / in.rho0;
+    in.growth = growth(in.rate, dt);
+    in.rho1 = in.rho0 / in.growth;
+    in.volume_change = (in.growth - 1) / in.rho0;
     in.h = around.lattice.h;
     if constexpr (M::burns) in.spacing = particles.root(particles.m(p) / material.eos.rho0);
     if (around.limited)

@@ -191,7 +191,7 @@ TEST(Boundary, HalosOfCellsFoldBackOntoTheirImages) {
 
 TEST(Boundary, ParticlesStayInsideWallsWrapAroundOrLeave) {
   const Lattice<1> lattice = line(4);  // from 2 to 4
-  const auto settle = [&](Side side, double x) { return ends<1>(side).settle(lattice, 0, x); };
+  const auto settle = [&](Side side, double x) { return Ends<1>(lattice, ends<1>(side)).settle(0, x); };
   EXPECT_NEAR(settle(Side::wall, 1.9), 2, 1e-9);
   EXPECT_GT(settle(Side::wall, 1.9), 2);
   EXPECT_NEAR(settle(Side::fixed, 4.3), 4, 1e-9);

@@ -33,7 +33,7 @@ void expect_conserved(const RandomGas& of, bool energy) {
   if (energy) {
     EXPECT_NEAR(after.total() / before.total(), 1, 1e-13);
   }
-  for (const auto& g : state.groups) EXPECT_EQ(g->floors, 0);
+  for (const auto& g : state.groups) EXPECT_EQ(g->floors(), 0);
 }
 
 template <class G>

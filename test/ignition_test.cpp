@@ -33,10 +33,11 @@ class Names final : public Group<PlaneStrain> {
   }
   void initialise(int, bool) override {}
   void start() override {}
-  Signals signals(double) const override { return {}; }
-  void half_step(const Grid<PlaneStrain>&, double) override {}
-  void finish(const Grid<PlaneStrain>&, double) override {}
-  void update(const Grid<PlaneStrain>&, double) override {}
+  void find_signals(Sweep<2>&) override {}
+  Signals signals() const override { return {}; }
+  void half_step(Sweep<2>&, const Grid<PlaneStrain>&, double) override {}
+  void finish(Sweep<2>&, const Grid<PlaneStrain>&, double) override {}
+  void update(Sweep<2>&, const Grid<PlaneStrain>&, double) override {}
   Totals totals(int, int, double) const override { return {}; }
   void report(const Array<double>&, const Array<double>&) const override {}
 };

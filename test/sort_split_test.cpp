@@ -63,10 +63,9 @@ void expect_sorted(Particles<G> p, const TransferChoice& choice) {
   int expected_inside = 0;
   for (int q = 0; q < count; ++q) expected_inside += inside(p, q);
 
-  const Array<int> bin_of("bin", count);
-  transfer->find_bins(p, grid, bin_of);
+  transfer->find_bins(grid, p);
   std::map<int, std::vector<std::int64_t>> expected;  // bin -> ids in the order they had
-  for (int q = 0; q < count; ++q) expected[bin_of(q)].push_back(p.id(q));
+  for (int q = 0; q < count; ++q) expected[p.bin(q)].push_back(p.id(q));
 
   Sorter<G> sorter;
   EXPECT_EQ(sorter.sort(p, *transfer, grid), count - expected_inside);

@@ -38,6 +38,14 @@ State<G> random_gas(const RandomGas& of);
 template <class G>
 double step(State<G>& state);
 
+/// Adds stages to a sweep, f(sweep), and runs it.
+template <int D, class F>
+void sweep(const Lattice<D>& lattice, const F& f) {
+  Sweep<D> stages(lattice);
+  f(stages);
+  stages.run("test");
+}
+
 /// Sums over all groups; momentum with what walls have received.
 template <class G>
 Totals totals(const State<G>& state);

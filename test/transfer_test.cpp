@@ -37,7 +37,9 @@ class EveryTransfer : public testing::Test {
   static void know_cells(State<G>& state, const Group<G>& group) {
     if (!group.transfer->cell_quadrature()) return;
     state.sums.clear();
-    group.transfer->scatter_cells(group.particles, state.grid.lattice, state.sums);
+    test::sweep(state.grid.lattice, [&](auto& in) {
+      group.transfer->scatter_cells(in, group.particles, state.sums);
+    });
     state.sums.contribute();
     average_cells(state.grid, state.sums);
     scale_cells(state.grid);
@@ -71,7 +73,9 @@ TYPED_TEST(EveryTransfer, CarriesMassAndMomentumOfTheParticlesToTheNodes) {
     of.side = side;
     this->for_each(of, [](auto& state, auto& group, auto& transfer) {
       state.sums.clear();
-      transfer.scatter_momentum(group.particles, state.grid.lattice, state.sums);
+      test::sweep(state.grid.lattice, [&](auto& in) {
+        transfer.scatter_momentum(in, group.particles, state.sums);
+      });
       state.sums.contribute();
       const Totals t = test::totals(state);
       EXPECT_NEAR(TestFixture::sum(state, TypeParam::dim) / t.mass, 1, 1e-13);
@@ -86,9 +90,11 @@ TYPED_TEST(EveryTransfer, ForcesSumToZero) {
     RandomGas of;
     of.newtonian = newtonian;
     this->for_each(of, [](auto& state, auto& group, auto& transfer) {
-      group.half_step(state.grid, 1e-3);
       state.sums.clear();
-      transfer.scatter_force(group.particles, state.grid, group.stress(), state.sums);
+      test::sweep(state.grid.lattice, [&](auto& in) {
+        group.half_step(in, state.grid, 1e-3);
+        transfer.scatter_force(in, group.particles, state.grid, group.stress(), state.sums);
+      });
       state.sums.contribute();
       for (int d = 0; d < TypeParam::dim; ++d) {
         EXPECT_GT(TestFixture::size(state, d), 0.01);
@@ -110,7 +116,8 @@ TYPED_TEST(EveryTransfer, FindsTheGradientOfALinearVelocity) {
       for (int i = 0; i < TypeParam::dim; ++i)
         for (int j = 0; j < TypeParam::dim; ++j)
           velocity(n, i) += truth(i, j) * TestFixture::place(lattice, n)[j];
-    transfer.gather_gradient(group.particles, lattice, velocity);
+    test::sweep(lattice,
+                [&](auto& in) { transfer.gather_gradient(in, group.particles, velocity); });
     for (int p = 0; p < group.particles.count; ++p)
       for (int k = 0; k < TypeParam::dim * TypeParam::dim; ++k)
         ASSERT_NEAR(group.particles.gradient(p, k), truth.a[k], 1e-13 * 10);
@@ -124,11 +131,13 @@ TYPED_TEST(EveryTransfer, ForceAndGradientAreAdjoint) {
   of.newtonian = true;
   of.side = Side::wall;
   this->for_each(of, [](auto& state, auto& group, auto& transfer) {
-    group.half_step(state.grid, 1e-3);
     const auto& lattice = state.grid.lattice;
     const auto& p = group.particles;
     state.sums.clear();
-    transfer.scatter_force(p, state.grid, group.stress(), state.sums);
+    test::sweep(lattice, [&](auto& in) {
+      group.half_step(in, state.grid, 1e-3);
+      transfer.scatter_force(in, p, state.grid, group.stress(), state.sums);
+    });
     state.sums.contribute();
     const Table<double> velocity("velocity", lattice.size, TypeParam::dim);
     double of_nodes = 0, of_particles = 0, size = 0;
@@ -138,7 +147,7 @@ TYPED_TEST(EveryTransfer, ForceAndGradientAreAdjoint) {
         of_nodes += state.sums.total(n, i) * velocity(n, i);
         size += std::fabs(state.sums.total(n, i) * velocity(n, i));
       }
-    transfer.gather_gradient(p, lattice, velocity);
+    test::sweep(lattice, [&](auto& in) { transfer.gather_gradient(in, p, velocity); });
     for (int q = 0; q < p.count; ++q) {
       const double fill =
           transfer.cell_quadrature() ? state.grid.scale(lattice.cell_of(p.x(q)), 0) : 1;
@@ -165,7 +174,9 @@ TYPED_TEST(EveryTransfer, ByCellsMakesNoForceOutOfUniformPressure) {
       Group<TypeParam>& group = *state.groups[0];
       this->know_cells(state, group);
       state.sums.clear();
-      group.transfer->scatter_force(group.particles, state.grid, group.stress(), state.sums);
+      test::sweep(state.grid.lattice, [&](auto& in) {
+        group.transfer->scatter_force(in, group.particles, state.grid, group.stress(), state.sums);
+      });
       state.sums.contribute();
       const auto& lattice = state.grid.lattice;
       fold(state.sums.total, TypeParam::dim, TypeParam::dim, lattice, state.grid.boundaries);
@@ -190,7 +201,9 @@ TYPED_TEST(EveryTransfer, OfOneVelocityForAllChangesNothing) {
       for (std::size_t c = 0; c < p.affine.extent(1); ++c) p.affine(q, c) = 0;
     }
     const Vec<TypeParam::dim> x = p.x(5);
-    transfer.finish_midpoint(p, state.grid, group.stress(), 0, 0.9, 0.01);
+    test::sweep(state.grid.lattice, [&](auto& in) {
+      transfer.finish_midpoint(in, p, state.grid, group.stress(), 0, 0.9, 0.01);
+    });
     for (int q = 0; q < p.count; ++q) {
       for (int d = 0; d < TypeParam::dim; ++d) ASSERT_NEAR(p.velocity(q, d), 3 - d, 1e-14);
       ASSERT_NEAR(p.work(q, 0), 0, 1e-14);
@@ -206,13 +219,17 @@ TYPED_TEST(EveryTransfer, KnowsTheMeanOfAConstant) {
     const auto& lattice = state.grid.lattice;
     for (int q = 0; q < p.count; ++q) p.scratch(q, 0) = 7;
     state.sums.clear();
-    transfer.scatter_mean(p, lattice, Entry{p.scratch, 0}, Entry{p.mass, 0}, state.sums);
+    test::sweep(lattice, [&](auto& in) {
+      transfer.scatter_mean(in, p, Entry{p.scratch, 0}, Entry{p.mass, 0}, state.sums);
+    });
     state.sums.contribute();
     const Table<double> mean("mean", lattice.size, 1);
     for (int n = 0; n < lattice.size; ++n)
       mean(n, 0) = state.sums.total(n, 1) > 0 ? state.sums.total(n, 0) / state.sums.total(n, 1) : 0;
-    transfer.gather_scalar(p, lattice, mean, 0, Entry{p.scratch, 1}, 0, 2);
-    transfer.gather_scalar(p, lattice, mean, 0, Entry{p.scratch, 0}, 1, -1);
+    test::sweep(lattice, [&](auto& in) {
+      transfer.gather_scalar(in, p, mean, 0, Entry{p.scratch, 1}, 0, 2);
+      transfer.gather_scalar(in, p, mean, 0, Entry{p.scratch, 0}, 1, -1);
+    });
     for (int q = 0; q < p.count; ++q) {
       ASSERT_NEAR(p.scratch(q, 1), 14, 1e-13);
       ASSERT_NEAR(p.scratch(q, 0), 0, 1e-13);

@@ -1,0 +1,66 @@
+#pragma once
+// The row functions that add to nodes, as function objects: what they add to is a table, or a
+// thread's copy of it.
+#include "core/transfer_rows.hpp"
+
+namespace brisance {
+
+template <class R>
+struct ScatterMomentum {
+  R rows;
+  template <class To>
+  KOKKOS_INLINE_FUNCTION void operator()(const Row<R::D>& row, const To& to) const {
+    rows.momentum(row, to);
+  }
+};
+
+template <class R, Stress kind>
+struct ScatterForce {
+  R rows;
+  Table<double> scale;
+  template <class To>
+  KOKKOS_INLINE_FUNCTION void operator()(const Row<R::D>& row, const To& to) const {
+    rows.template force<kind>(row, scale, to);
+  }
+};
+
+template <class R>
+struct ScatterCells {
+  R rows;
+  template <class To>
+  KOKKOS_INLINE_FUNCTION void operator()(const Row<R::D>& row, const To& to) const {
+    rows.cells(row, to);
+  }
+};
+
+template <class R>
+struct ScatterOverlap {
+  R rows;
+  int column;
+  template <class To>
+  KOKKOS_INLINE_FUNCTION void operator()(const Row<R::D>& row, const To& to) const {
+    rows.overlap(row, column, to);
+  }
+};
+
+template <class R>
+struct ScatterMean {
+  R rows;
+  Entry value, weight;
+  template <class To>
+  KOKKOS_INLINE_FUNCTION void operator()(const Row<R::D>& row, const To& to) const {
+    rows.mean(row, value.table, value.column, weight.table, weight.column, to);
+  }
+};
+
+template <class R>
+struct ScatterMeans {
+  R rows;
+  Table<double> values;
+  template <class To>
+  KOKKOS_INLINE_FUNCTION void operator()(const Row<R::D>& row, const To& to) const {
+    rows.means(row, values, to);
+  }
+};
+
+}  // namespace brisance
