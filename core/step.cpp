@@ -60,8 +60,7 @@ class Step {
     }
     sweep.run("midpoint");
     new_order();
-    if (anything_relaxes())
-      relax(s.groups, s.grid, s.sums, s.spare, rates(), dt, s.sleep.volume());
+    relax_fluids();
     if (s.scheme.relaxes_stress) relax_stress(s.groups, s.grid, s.means, dt);
     s.sleep.wake(s.groups, s.sorter);
   }
@@ -106,10 +105,13 @@ class Step {
     return 1 - std::min(0.1, g.scheme.damping * crossings(g.velocity_class));
   }
 
-  RelaxationRates rates() const {
-    RelaxationRates r = s.scheme.rates;
-    r.volume = std::min(0.2, r.volume * crossings(fluid_class));
-    return r;
+  /// For all steps since the last time.
+  void relax_fluids() {
+    const int steps = s.scheme.relaxation_interval;
+    if (!anything_relaxes() || (s.step + 1) % steps != 0) return;
+    RelaxationRates rates = s.scheme.rates;
+    rates.volume = std::min(0.2, rates.volume * steps * crossings(fluid_class));
+    relax(s.groups, s.grid, s.sums, s.spare, rates, steps * dt, s.sleep.volume());
   }
 
   /// grid.own and grid.before <- velocities at the nodes, walls at rest; after what the sweep holds.

@@ -234,6 +234,7 @@ class SimulationIn final : public Simulation {
     s.split_length = get<double>(scheme, "split length");
     s.rates = {get<double>(scheme, "volume relaxation"), get<double>(scheme, "pressure relaxation"),
                get<double>(scheme, "heat conduction")};
+    s.relaxation_interval = get<int>(scheme, "relaxation interval");
     if (const List* solids = find_list(scheme, "solids"))
       s.relaxes_stress = get<double>(*solids, "stress relaxation") > 0;
     return s;
