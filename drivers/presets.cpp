@@ -106,6 +106,10 @@ List valid_scheme(const Preset& p) {
           "volume, pressure and heat relax once in so many steps, for all of them [steps]");
   declare(valid, "split length", p.split_length, at_least_zero(),
           "particles of fluids longer than this are split; 0: never [cells]");
+  declare(
+      valid, "summation", std::string("colours"), one_of({"colours", "duplicates"}),
+      "how threads add to one node: in blocks of two colours, with the same bits for any number "
+      "of threads, or each into a copy of its own [-]");
   declare(valid, "sleep", false, anything(),
           "whether gas at rest that no wave has reached yet is left out of the steps [-]");
   declare_list(valid, "artificial viscosity", "what gives shocks a width") =
