@@ -23,7 +23,8 @@ class Accumulator {
   Scatter scatter;  ///< of duplicates
 
   Accumulator(int nodes, int columns, Summation by = Summation::colours)
-      : total("sums", nodes, columns), duplicates_(by == Summation::duplicates || !kernels_on_host) {
+      : total("sums", nodes, columns),
+        duplicates_(by == Summation::duplicates || !kernels_on_host) {
     // Made once; making one in every step costs more than using it.
     if (duplicates_) scatter = Kokkos::Experimental::create_scatter_view(total);
   }

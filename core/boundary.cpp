@@ -1,5 +1,7 @@
 #include "core/boundary.hpp"
 
+#include "core/sum.hpp"
+
 namespace brisance {
 namespace {
 
@@ -79,15 +81,13 @@ Vec<D> fold(const Table<double>& sums, int vectors, int columns, const Lattice<D
     const Plane<D> plane(lattice, d);
     for (int c = 0; c < vectors; ++c) {
       if (list.side[0] == Side::periodic) break;
-      double lost = 0;
-      Kokkos::parallel_reduce(
-          "mirror momentum", Kokkos::RangePolicy<Space>(0, plane.nodes),
-          KOKKOS_LAMBDA(const int k, double& sum) {
+      swallowed[c] += sum_in_order(
+          "mirror momentum", plane.nodes, KOKKOS_LAMBDA(const int k) {
+            double sum = 0;
             for (int i = 0; i < list.count; ++i)
               if (flips(list.side[i], c, d)) sum += 2 * sums(plane.node(k, list.halo[i]), c);
-          },
-          lost);
-      swallowed[c] += lost;
+            return sum;
+          });
     }
     Kokkos::parallel_for(
         "fold halo", Kokkos::RangePolicy<Space>(0, plane.nodes), KOKKOS_LAMBDA(const int k) {
@@ -119,17 +119,15 @@ Vec<D> image_momentum(const Table<double>& velocity, const Table<double>& image_
       bool any = false;
       for (int i = 0; i < list.count; ++i) any = any || flips(list.side[i], c, d);
       if (!any) continue;
-      double excess = 0;
-      Kokkos::parallel_reduce(
-          "image momentum", Kokkos::RangePolicy<Space>(0, plane.nodes),
-          KOKKOS_LAMBDA(const int k, double& sum) {
+      momentum[c] += sum_in_order(
+          "image momentum", plane.nodes, KOKKOS_LAMBDA(const int k) {
+            double sum = 0;
             for (int i = 0; i < list.count; ++i) {
               const int n = plane.node(k, list.halo[i]);
               if (flips(list.side[i], c, d)) sum += 2 * image_mass(n, d) * velocity(n, c);
             }
-          },
-          excess);
-      momentum[c] += excess;
+            return sum;
+          });
     }
   }
   return momentum;
@@ -147,16 +145,13 @@ Vec<D> constrain(const Table<double>& sums, const Lattice<D>& lattice,
       const int at = end == 0 ? 0 : lattice.cells[d];
       for (int c = 0; c < D; ++c) {
         if (!flips(side, c, d)) continue;
-        double held = 0;
-        Kokkos::parallel_reduce(
-            "hold wall", Kokkos::RangePolicy<Space>(0, plane.nodes),
-            KOKKOS_LAMBDA(const int k, double& sum) {
+        stopped[c] += sum_in_order(
+            "hold wall", plane.nodes, KOKKOS_LAMBDA(const int k) {
               double& value = sums(plane.node(k, at), c);
-              sum += value;
+              const double held = value;
               value = 0;
-            },
-            held);
-        stopped[c] += held;
+              return held;
+            });
       }
     }
   return stopped;

@@ -46,8 +46,8 @@ struct Boundaries {
 /// The ends of a lattice as particles meet them.
 template <int D>
 struct Ends {
-  double low[D], period[D];        ///< period: 0 where nothing wraps [m]
-  double inside[D][2];             ///< where walls hold particles; beyond all numbers at free ends
+  double low[D], period[D];  ///< period: 0 where nothing wraps [m]
+  double inside[D][2];       ///< where walls hold particles; beyond all numbers at free ends
 
   Ends(const Lattice<D>& lattice, const Boundaries<D>& boundaries) {
     const double skin = 1e-9 * lattice.h, far = std::numeric_limits<double>::infinity();

@@ -18,8 +18,7 @@ struct Lattice {
   int size = 0;  ///< nodes including the halo
 
   Lattice() = default;
-  Lattice(const double (&origin_)[D], const int (&cells_)[D], double h_)
-      : h(h_), per_h(1 / h_) {
+  Lattice(const double (&origin_)[D], const int (&cells_)[D], double h_) : h(h_), per_h(1 / h_) {
     size = 1;
     for (int d = 0; d < D; ++d) {
       origin[d] = origin_[d];
@@ -44,7 +43,9 @@ struct Lattice {
   }
 
   /// A position in cells from node 0.
-  KOKKOS_FORCEINLINE_FUNCTION double in_cells(double x, int d) const { return (x - origin[d]) * per_h; }
+  KOKKOS_FORCEINLINE_FUNCTION double in_cells(double x, int d) const {
+    return (x - origin[d]) * per_h;
+  }
 
   /// The cell that holds a position inside the domain.
   KOKKOS_FORCEINLINE_FUNCTION int cell_of(const Vec<D>& x) const {

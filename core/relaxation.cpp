@@ -24,8 +24,8 @@ class Relaxation {
   }
 
   /// Does what the sweep holds, the last of which has added to `spare`.
-  Table<double> add_up(const char* name) {
-    sweep.run(name);
+  Table<double> add_up() {
+    sweep.run();
     std::swap(sums, spare);
     sums->contribute();
     fold(sums->total, 0, 2, grid.lattice, grid.boundaries);
@@ -35,14 +35,14 @@ class Relaxation {
   enum class Weight { volume, scratch };
 
   /// sums->total(node, 0) <- mean at the nodes of scratch column 0 or 1.
-  void average(const char* name, int column, Weight weight) {
+  void average(int column, Weight weight) {
     spare->clear();
     for_fluids([&](Group<G>& g) {
       auto& p = g.particles;
       const Entry by = weight == Weight::volume ? Entry{p.volume, 0} : Entry{p.scratch, 1};
       g.transfer->scatter_mean(sweep, p, Entry{p.scratch, column}, by, *spare);
     });
-    const auto total = add_up(name);
+    const auto total = add_up();
     Kokkos::parallel_for(
         "nodal mean", Kokkos::RangePolicy<Space>(0, grid.lattice.size), KOKKOS_LAMBDA(const int n) {
           total(n, 0) = total(n, 1) > 0 ? total(n, 0) / total(n, 1) : 0;
@@ -58,8 +58,8 @@ class Relaxation {
     });
   }
 
-  void remove_mean(const char* name, int column, Weight weight) {
-    average(name, column, weight);
+  void remove_mean(int column, Weight weight) {
+    average(column, weight);
     gather(0, column, 1, -1);
   }
 
@@ -70,7 +70,7 @@ class Relaxation {
     for (auto& g : groups)
       g->transfer->scatter_mean(sweep, g->particles, Entry{g->particles.volume, 0},
                                 Entry{g->particles.volume, 0}, *spare);
-    const auto total = add_up("volume at nodes");
+    const auto total = add_up();
     const auto lattice = grid.lattice;
     const auto boundaries = grid.boundaries;
     const bool any_sleeps = asleep.extent(0) > 0;
@@ -90,18 +90,18 @@ class Relaxation {
   /// r = (1 - S S+)^2 P is the part of the pressure that no node sees.
   void pressure(double rate, double dt) {
     for_fluids([&](Group<G>& g) { g.load_pressure(sweep); });
-    remove_mean("pressure at nodes", 0, Weight::volume);
-    remove_mean("rest of pressure", 0, Weight::volume);
+    remove_mean(0, Weight::volume);
+    remove_mean(0, Weight::volume);
     for_fluids([&](Group<G>& g) { g.propose_exchange(sweep, rate, dt); });
-    remove_mean("exchange of volume", 1, Weight::volume);
+    remove_mean(1, Weight::volume);
     for_fluids([&](Group<G>& g) { g.exchange_volume(sweep); });
-    remove_mean("exchange of energy", 0, Weight::scratch);
+    remove_mean(0, Weight::scratch);
     for_fluids([&](Group<G>& g) { g.exchange_energy(sweep); });
   }
 
   void heat(double rate, double dt) {
     for_fluids([&](Group<G>& g) { g.load_heat(sweep, rate, dt); });
-    remove_mean("heat at nodes", 0, Weight::scratch);
+    remove_mean(0, Weight::scratch);
     for_fluids([&](Group<G>& g) { g.conduct(sweep); });
   }
 };
@@ -116,10 +116,10 @@ void relax(std::vector<std::unique_ptr<Group<G>>>& groups, const Grid<G>& grid, 
   if (rates.volume > 0) relaxation.volume(rates.volume, asleep);
   if (rates.pressure > 0) relaxation.pressure(rates.pressure, dt);
   if (rates.heat > 0) relaxation.heat(rates.heat, dt);
-  relaxation.sweep.run("end of relaxation");
+  relaxation.sweep.run();
 }
 
-#define BRISANCE_RELAX(G)                                                                      \
+#define BRISANCE_RELAX(G)                                                                       \
   template void relax<G>(std::vector<std::unique_ptr<Group<G>>>&, const Grid<G>&, Accumulator&, \
                          Accumulator&, const RelaxationRates&, double, const Table<double>&);
 BRISANCE_RELAX(Line)

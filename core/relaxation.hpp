@@ -20,7 +20,8 @@ struct RelaxationRates {
   bool any() const { return volume > 0 || pressure > 0 || heat > 0; }
 };
 
-/// Of the two accumulators one is read while the other is written. `asleep`: volume at the nodes of gas that sleeps, if any does. [m^D]
+/// Of the two accumulators one is read while the other is written. `asleep`: volume at the nodes of
+/// gas that sleeps, if any does. [m^D]
 template <class G>
 void relax(std::vector<std::unique_ptr<Group<G>>>& groups, const Grid<G>& grid, Accumulator& sums,
            Accumulator& spare, const RelaxationRates& rates, double dt,

@@ -2,7 +2,9 @@
 // In which order the rows of bins are worked on. Kernels are functions of a row; what follows one
 // upon the other without a look at nodes that others still add to goes into one sweep, which works
 // on a row after the other while its particles lie in the nearest cache.
+#include <algorithm>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "core/accumulator.hpp"
@@ -65,7 +67,7 @@ class Sweep {
   template <class F>
   void add(const char* name, const F& f) {
     if constexpr (kernels_on_host)
-      stages_.push_back(std::make_unique<StageOf<F>>(f));
+      stages_.push_back(std::make_unique<StageOf<F>>(name, f));
     else
       launch(name, f);
   }
@@ -82,9 +84,11 @@ class Sweep {
     }
   }
 
-  /// Works on all rows and forgets the stages. `name` is what profilers show.
-  void run(const char* name) {
+  /// Works on all rows and forgets the stages. Profilers see the names of all of them, apart by
+  /// commas; what a second launch with " (2)" does belongs to the first.
+  void run() {
     if (stages_.empty()) return;
+    const std::string name = watched() ? names() : "sweep";
     const auto work = [stages = &stages_, layout = layout_](int block) {
       const int end = std::min(layout.rows, (block + 1) * layout.rows_in_block);
       for (int k = block * layout.rows_in_block; k < end; ++k) {
@@ -94,7 +98,8 @@ class Sweep {
     };
     if (colours_) {
       for (int colour = 0; colour < 2; ++colour)
-        Kokkos::parallel_for(name, Shared(0, (layout_.blocks - colour + 1) / 2),
+        Kokkos::parallel_for(colour == 0 ? name : name + " (2)",
+                             Shared(0, (layout_.blocks - colour + 1) / 2),
                              [=](const int k) { work(2 * k + colour); });
     } else if (duplicates_) {
       Kokkos::parallel_for(name, Fixed(0, layout_.blocks), work);
@@ -111,13 +116,15 @@ class Sweep {
   using Fixed = Kokkos::RangePolicy<Space, Kokkos::Schedule<Kokkos::Static>>;
 
   struct Stage {
+    const char* name;
+    explicit Stage(const char* name_) : name(name_) {}
     virtual ~Stage() = default;
     virtual void operator()(const Row<D>& row) const = 0;
   };
   template <class F>
   struct StageOf final : Stage {
     F f;
-    explicit StageOf(const F& f_) : f(f_) {}
+    StageOf(const char* name_, const F& f_) : Stage(name_), f(f_) {}
     void operator()(const Row<D>& row) const override { f(row); }
   };
   template <class F>
@@ -136,6 +143,17 @@ class Sweep {
   RowLayout<D> layout_;
   std::vector<std::unique_ptr<Stage>> stages_;
   bool colours_ = false, duplicates_ = false;
+
+  static bool watched() {
+    return Kokkos::Tools::Experimental::get_callbacks().begin_parallel_for != nullptr;
+  }
+  std::string names() const {
+    std::string all;
+    for (const auto& stage : stages_)
+      if (all.find(stage->name) == std::string::npos)  // groups of one law say it once
+        all += (all.empty() ? "" : ", ") + std::string(stage->name);
+    return all;
+  }
 
   template <class F>
   void launch(const char* name, const F& f) {

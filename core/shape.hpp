@@ -86,7 +86,8 @@ struct QuadraticSpline {
   static constexpr int degree = 2;
   static constexpr double centre = 1;
   KOKKOS_INLINE_FUNCTION static constexpr double coefficient(int k, int m) {
-    constexpr double c[3][3] = {{1. / 8, -1. / 2, 1. / 2}, {3. / 4, 0, -1}, {1. / 8, 1. / 2, 1. / 2}};
+    constexpr double c[3][3] = {
+        {1. / 8, -1. / 2, 1. / 2}, {3. / 4, 0, -1}, {1. / 8, 1. / 2, 1. / 2}};
     return c[k][m];
   }
 

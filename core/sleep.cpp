@@ -2,6 +2,7 @@
 
 #include "core/geometry.hpp"
 #include "core/lull.hpp"
+#include "core/sum.hpp"
 
 namespace brisance {
 namespace {
@@ -238,7 +239,7 @@ template <class G>
 Signals Sleep<G>::signals_of(Group<G>& group) const {
   Sweep<D> sweep(lattice_);
   group.find_signals(sweep);
-  sweep.run("signals of sleepers");
+  sweep.run();
   return group.signals();
 }
 
@@ -299,18 +300,14 @@ template <class G>
 Vec<Sleep<G>::D> Sleep<G>::hold(const Table<double>& sums) const {
   const auto volume = volume_;
   Vec<D> held;
-  for (int d = 0; d < D; ++d) {
-    double sum_of_all = 0;
-    Kokkos::parallel_reduce(
-        "hold sleepers", Kokkos::RangePolicy<Space>(0, lattice_.size),
-        KOKKOS_LAMBDA(const int n, double& sum) {
-          if (!(volume(n, 0) > 0)) return;
-          sum += sums(n, d);
+  for (int d = 0; d < D; ++d)
+    held[d] = sum_in_order(
+        "hold sleepers", lattice_.size, KOKKOS_LAMBDA(const int n) {
+          if (!(volume(n, 0) > 0)) return 0.;
+          const double here = sums(n, d);
           sums(n, d) = 0;
-        },
-        sum_of_all);
-    held[d] = sum_of_all;
-  }
+          return here;
+        });
   return held;
 }
 

@@ -1,14 +1,10 @@
 #include "core/springs.hpp"
 
 #include "core/geometry.hpp"
+#include "core/sum.hpp"
 
 namespace brisance {
 namespace {
-
-template <class G>
-Kokkos::RangePolicy<Space> nodes(const Grid<G>& grid) {
-  return Kokkos::RangePolicy<Space>(0, grid.lattice.size);
-}
 
 /// The solution of a x = b for a symmetric positive definite matrix, which is used up.
 std::vector<double> solved(std::vector<std::vector<double>> a, std::vector<double> b) {
@@ -44,8 +40,7 @@ std::vector<double> Springs<G>::displacements() const {
 
 template <class G>
 void Springs<G>::set_displacements(const std::vector<double>& displacements) {
-  for (std::size_t k = 0; k < springs_.size(); ++k)
-    springs_[k].displacement = displacements.at(k);
+  for (std::size_t k = 0; k < springs_.size(); ++k) springs_[k].displacement = displacements.at(k);
 }
 
 template <class G>
@@ -57,19 +52,16 @@ void Springs<G>::weigh(const std::vector<std::unique_ptr<Group<G>>>& groups, con
     sums.clear();
     Sweep<D> sweep(grid.lattice);
     group.transfer->scatter_mean(sweep, group.particles, mass, mass, sums);
-    sweep.run("mass at nodes");
+    sweep.run();
     sums.contribute();
     if (s.weight.extent(0) == 0) s.weight = Table<double>("mass on spring", grid.lattice.size, D);
     const auto total = sums.total, weight = s.weight;
     const int direction = s.direction;
-    s.mass = 0;
-    Kokkos::parallel_reduce(
-        "mass on spring", nodes(grid),
-        KOKKOS_LAMBDA(const int n, double& sum) {
+    s.mass = sum_in_order(
+        "mass on spring", grid.lattice.size, KOKKOS_LAMBDA(const int n) {
           for (int d = 0; d < D; ++d) weight(n, d) = d == direction ? total(n, 1) : 0;
-          sum += total(n, 1);
-        },
-        s.mass);
+          return total(n, 1);
+        });
     fold(weight, D, D, grid.lattice, grid.boundaries);
     constrain(weight, grid.lattice, grid.boundaries);
   }
@@ -81,14 +73,11 @@ double Springs<G>::free_advance(const Spring& s, const Grid<G>& grid, const Tabl
                                 double dt) const {
   const auto before = grid.before, weight = s.weight;
   const int d = s.direction;
-  double momentum = 0;
-  Kokkos::parallel_reduce(
-      "advance of spring", nodes(grid),
-      KOKKOS_LAMBDA(const int n, double& sum) {
+  const double momentum = sum_in_order(
+      "advance of spring", grid.lattice.size, KOKKOS_LAMBDA(const int n) {
         const double m = before(n, D);
-        if (m > 0) sum += weight(n, d) * (before(n, d) + 0.5 * dt * force(n, d) / m);
-      },
-      momentum);
+        return m > 0 ? weight(n, d) * (before(n, d) + 0.5 * dt * force(n, d) / m) : 0;
+      });
   return momentum * dt / s.mass;
 }
 
@@ -99,15 +88,12 @@ double Springs<G>::compliance(const Spring& s, const Spring& t, const Grid<G>& g
   if (s.direction != t.direction) return 0;
   const auto before = grid.before, weight = s.weight, other = t.weight;
   const int d = s.direction;
-  double sum_of_both = 0;
-  Kokkos::parallel_reduce(
-      "compliance of springs", nodes(grid),
-      KOKKOS_LAMBDA(const int n, double& sum) {
+  const double of_both = sum_in_order(
+      "compliance of springs", grid.lattice.size, KOKKOS_LAMBDA(const int n) {
         const double m = before(n, D);
-        if (m > 0) sum += weight(n, d) * other(n, d) / m;
-      },
-      sum_of_both);
-  return 0.5 * dt * dt * sum_of_both / (s.mass * t.mass);
+        return m > 0 ? weight(n, d) * other(n, d) / m : 0;
+      });
+  return 0.5 * dt * dt * of_both / (s.mass * t.mass);
 }
 
 // Displacements depend on the forces linearly, u1 = u0 + a + b f, and f = -K (u0 + u1) / 2.
@@ -140,15 +126,11 @@ auto Springs<G>::pull(const Grid<G>& grid, const Table<double>& force, double dt
     const auto weight = s.weight;
     const int d = s.direction;
     const double per_mass = forces[i] / s.mass;
-    double felt = 0;
-    Kokkos::parallel_reduce(
-        "pull of spring", nodes(grid),
-        KOKKOS_LAMBDA(const int n, double& sum) {
-          force(n, d) += per_mass * weight(n, d);
-          sum += per_mass * weight(n, d);
-        },
-        felt);
-    given[d] -= felt * dt;
+    given[d] -= dt * sum_in_order(
+                         "pull of spring", grid.lattice.size, KOKKOS_LAMBDA(const int n) {
+                           force(n, d) += per_mass * weight(n, d);
+                           return per_mass * weight(n, d);
+                         });
   }
   return given;
 }

@@ -44,7 +44,7 @@ struct Stencil {
 
   /// Of particle p in the bin at integer coordinates `base`.
   KOKKOS_FORCEINLINE_FUNCTION Stencil(const Lattice<D>& lattice, const int (&base)[D],
-                                 const Particles<G>& points, int p) {
+                                      const Particles<G>& points, int p) {
     const double per_h = lattice.per_h;
     for (int d = 0; d < D; ++d) {
       const double at = lattice.in_cells(points.position(p, d), d) - base[d];
@@ -81,8 +81,8 @@ struct Stencil {
   KOKKOS_FORCEINLINE_FUNCTION P arm(int k, int d) const { return along(arm_in, arm_, k, d); }
 
  private:
-  KOKKOS_FORCEINLINE_FUNCTION static P along(const P (&in)[L::packed], const double (&out)[D][W], int k,
-                                        int d) {
+  KOKKOS_FORCEINLINE_FUNCTION static P along(const P (&in)[L::packed], const double (&out)[D][W],
+                                             int k, int d) {
     return d < L::packed ? in[d] : P(out[d][L::digit(k, 0, d)]);
   }
 
@@ -132,8 +132,8 @@ struct Nodes {
   P value[C][L::packs];
 
   Nodes() = default;
-  KOKKOS_FORCEINLINE_FUNCTION Nodes(const Table<double>& field, const Lattice<G::dim>& lattice, int bin,
-                               int column = 0) {
+  KOKKOS_FORCEINLINE_FUNCTION Nodes(const Table<double>& field, const Lattice<G::dim>& lattice,
+                                    int bin, int column = 0) {
     for (int c = 0; c < C; ++c)
       for (int k = 0; k < L::packs; ++k) {
         double here[L::count] = {};
@@ -145,12 +145,11 @@ struct Nodes {
 
   template <class To>
   KOKKOS_FORCEINLINE_FUNCTION void add_to(const To& to, const Lattice<G::dim>& lattice, int bin,
-                                     int column = 0) const {
+                                          int column = 0) const {
     for (int c = 0; c < C; ++c)
       for (int k = 0; k < L::packs; ++k)
         for (int lane = 0; lane < L::count; ++lane)
-          if (L::used(lane))
-            to(bin + L::offset(lattice, k, lane), column + c) += value[c][k][lane];
+          if (L::used(lane)) to(bin + L::offset(lattice, k, lane), column + c) += value[c][k][lane];
   }
 };
 
@@ -180,8 +179,8 @@ class Interpolant {
   Nodes<G, S, C> nodes_;
 };
 
-/// Of the linear shape, as the polynomial that it is: c0 + c1 x + y (c2 + c3 x), which takes a third
-/// of the instructions of a sum over the nodes.
+/// Of the linear shape, as the polynomial that it is: c0 + c1 x + y (c2 + c3 x), which takes a
+/// third of the instructions of a sum over the nodes.
 template <class G, class S, int C>
 class Interpolant<G, S, C, true> {
  public:

@@ -26,7 +26,7 @@ class Step {
     if (s.scheme.midpoint) return;
     momentum_to_grid();
     for (auto& g : s.groups) g->transfer->gather_gradient(sweep, g->particles, s.grid.before);
-    sweep.run("gradient");
+    sweep.run();
   }
 
   double begin() {
@@ -35,7 +35,7 @@ class Step {
       if (s.scheme.midpoint) g->transfer->gather_gradient(sweep, g->particles, s.grid.before);
       g->find_signals(sweep);
     }
-    know_cells("gradient, signals, cells");
+    know_cells();
     double fastest = 0;
     for (auto& g : s.groups) {
       const Signals here = g->signals();
@@ -51,17 +51,16 @@ class Step {
     damp_against_walls();
     if (!s.springs.empty()) s.springs.weigh(s.groups, s.grid, s.sums);
     for (auto& g : s.groups) g->half_step(sweep, s.grid, dt);
-    force_to_grid("half step, force");
+    force_to_grid();
     for (auto& g : s.groups) {
       g->transfer->finish_midpoint(sweep, g->particles, s.grid, g->stress(), g->velocity_class,
                                    flip(*g), dt);
       g->finish(sweep, s.grid, dt);
       g->transfer->find_bins(sweep, g->particles);
     }
-    sweep.run("midpoint");
+    sweep.run();
     new_order();
-    if (anything_relaxes())
-      relax(s.groups, s.grid, s.sums, s.spare, rates(), dt, s.sleep.volume());
+    relax_fluids();
     if (s.scheme.relaxes_stress) relax_stress(s.groups, s.grid, s.means, dt);
     s.sleep.wake(s.groups, s.sorter);
   }
@@ -71,17 +70,17 @@ class Step {
   void musl() {
     damp_against_walls();
     if (!s.springs.empty()) s.springs.weigh(s.groups, s.grid, s.sums);
-    force_to_grid("force");
+    force_to_grid();
     for (auto& g : s.groups)
       g->transfer->accelerate(sweep, g->particles, s.grid, g->velocity_class, flip(*g));
-    if (s.grid.mixed()) sweep.run("accelerate");  // all, before the nodes of one class are summed
+    if (s.grid.mixed()) sweep.run();  // all, before the nodes of one class are summed
     momentum_to_grid();
     for (auto& g : s.groups) {
       g->transfer->gradient_and_move(sweep, g->particles, s.grid, s.grid.before, dt);
       g->update(sweep, s.grid, dt);
       g->transfer->find_bins(sweep, g->particles);
     }
-    sweep.run("move, update");
+    sweep.run();
     new_order();
   }
 
@@ -106,13 +105,17 @@ class Step {
     return 1 - std::min(0.1, g.scheme.damping * crossings(g.velocity_class));
   }
 
-  RelaxationRates rates() const {
-    RelaxationRates r = s.scheme.rates;
-    r.volume = std::min(0.2, r.volume * crossings(fluid_class));
-    return r;
+  /// For all steps since the last time.
+  void relax_fluids() {
+    const int steps = s.scheme.relaxation_interval;
+    if (!anything_relaxes() || (s.step + 1) % steps != 0) return;
+    RelaxationRates rates = s.scheme.rates;
+    rates.volume = std::min(0.2, rates.volume * steps * crossings(fluid_class));
+    relax(s.groups, s.grid, s.sums, s.spare, rates, steps * dt, s.sleep.volume());
   }
 
-  /// grid.own and grid.before <- velocities at the nodes, walls at rest; after what the sweep holds.
+  /// grid.own and grid.before <- velocities at the nodes, walls at rest; after what the sweep
+  /// holds.
   void momentum_to_grid() {
     s.stopped.assign(s.grid.own.size(), {});
     for (std::size_t c = 0; c < s.grid.own.size(); ++c) {
@@ -120,7 +123,7 @@ class Step {
       for (auto& g : s.groups)
         if (g->velocity_class == static_cast<int>(c))
           g->transfer->scatter_momentum(sweep, g->particles, s.sums);
-      sweep.run("momentum");
+      sweep.run();
       s.stopped[c] = collect(D + 1, s.grid.image_mass[c]);
       const auto own = s.grid.own[c], total = s.sums.total;
       Kokkos::parallel_for(
@@ -155,7 +158,7 @@ class Step {
 
   /// Does what the sweep holds and then sets grid.cell and what follows from it, as far as fluids
   /// and the scheme ask for it.
-  void know_cells(const char* name) {
+  void know_cells() {
     const bool wanted = s.grid.cell.extent(0) > 0;
     if (wanted) {
       s.sums.clear();
@@ -165,7 +168,7 @@ class Step {
         else
           g->transfer->scatter_overlap(sweep, g->particles, D + 1, s.sums);
     }
-    sweep.run(name);
+    sweep.run();
     if (!wanted) return;
     s.sums.contribute();
     if (s.sleep.any()) s.sleep.fill(s.sums);
@@ -175,11 +178,11 @@ class Step {
   }
 
   /// grid.after <- grid.before + dt f / m, after what the sweep holds.
-  void force_to_grid(const char* name) {
+  void force_to_grid() {
     s.sums.clear();
     for (auto& g : s.groups)
       g->transfer->scatter_force(sweep, g->particles, s.grid, g->stress(), s.sums);
-    sweep.run(name);
+    sweep.run();
     push_walls(collect(D), dt);
     if (!s.springs.empty()) push_walls(s.springs.pull(s.grid, s.sums.total, dt), 1);
     for (std::size_t c = 0; c < s.grid.own.size(); ++c) push_walls(images(s.grid.before, c), 1);
@@ -245,7 +248,8 @@ class Step {
     others.migrate(s.groups);
   }
 
-  /// Particles into their bins, where these are known already; those that have left are written off.
+  /// Particles into their bins, where these are known already; those that have left are written
+  /// off.
   void arrange(Group<G>& g, bool known = false) {
     if (!known) g.transfer->find_bins(s.grid.lattice, g.particles);
     const int left = s.sorter.sort(g.particles, s.grid.lattice);

@@ -27,6 +27,7 @@ struct StepScheme {
   bool midpoint = true;     ///< compatible energy with half-step stress; else MUSL (Appendix A)
   double split_length = 0;  ///< fluids' particles longer than this many cells are split; 0: never
   RelaxationRates rates;
+  int relaxation_interval = 1;  ///< steps from one relaxation of fluids to the next
   bool relaxes_stress = false;  ///< whether any solid does
   Summation summation = Summation::colours;
 };

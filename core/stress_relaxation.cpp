@@ -12,7 +12,7 @@ void remove_means(Sweep<G::dim>& in, Group<G>& group, const Grid<G>& grid, Accum
   const auto values = group.particles.scratch;
   means.clear();
   group.transfer->scatter_means(in, group.particles, values, means);
-  in.run("means of stress");
+  in.run();
   means.contribute();
   fold(means.total, 0, 4, grid.lattice, grid.boundaries);
   const auto total = means.total;
@@ -35,10 +35,10 @@ void relax_stress(std::vector<std::unique_ptr<Group<G>>>& groups, const Grid<G>&
     Sweep<G::dim> sweep(grid.lattice);
     group->load_stress(sweep);
     remove_means(sweep, *group, grid, means);
-    sweep.run("rest of stress");  // before the means are made anew
+    sweep.run();  // before the means are made anew
     remove_means(sweep, *group, grid, means);
     group->relax_stress(sweep, dt);
-    sweep.run("relax stress");
+    sweep.run();
   }
 }
 

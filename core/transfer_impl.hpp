@@ -35,33 +35,33 @@ class TransferBy final : public Transfer<G> {
 
   void scatter_momentum(Sweep<D>& in, const Particles<G>& points,
                         const Accumulator& sums) const override {
-    in.add("momentum", sums, ScatterMomentum<R>{{points, in.lattice()}});
+    in.add("scatter momentum", sums, ScatterMomentum<R>{{points, in.lattice()}});
   }
 
   void scatter_force(Sweep<D>& in, const Particles<G>& points, const Grid<G>& grid, Stress stress,
                      const Accumulator& sums) const override {
     const R rows{points, in.lattice()};
     if (stress == Stress::pressure)
-      in.add("force", sums, ScatterForce<R, Stress::pressure>{rows, grid.scale});
+      in.add("scatter force", sums, ScatterForce<R, Stress::pressure>{rows, grid.scale});
     else
-      in.add("tensor force", sums, ScatterForce<R, Stress::tensor>{rows, grid.scale});
+      in.add("scatter tensor force", sums, ScatterForce<R, Stress::tensor>{rows, grid.scale});
   }
 
   void gather_gradient(Sweep<D>& in, const Particles<G>& points,
                        const Table<double>& velocity) const override {
     const R rows{points, in.lattice()};
     in.add(
-        "gradient", KOKKOS_LAMBDA(const Row<D>& row) { rows.gradients(row, velocity); });
+        "gather gradient", KOKKOS_LAMBDA(const Row<D>& row) { rows.gradients(row, velocity); });
   }
 
   void scatter_cells(Sweep<D>& in, const Particles<G>& points,
                      const Accumulator& sums) const override {
-    in.add("cells", sums, ScatterCells<R>{{points, in.lattice()}});
+    in.add("scatter cells", sums, ScatterCells<R>{{points, in.lattice()}});
   }
 
   void scatter_overlap(Sweep<D>& in, const Particles<G>& points, int column,
                        const Accumulator& sums) const override {
-    in.add("overlap", sums, ScatterOverlap<R>{{points, in.lattice()}, column});
+    in.add("scatter overlap", sums, ScatterOverlap<R>{{points, in.lattice()}, column});
   }
 
   void accelerate(Sweep<D>& in, const Particles<G>& points, const Grid<G>& grid, int velocity_class,
@@ -95,12 +95,12 @@ class TransferBy final : public Transfer<G> {
 
   void scatter_mean(Sweep<D>& in, const Particles<G>& points, Entry value, Entry weight,
                     const Accumulator& sums) const override {
-    in.add("mean", sums, ScatterMean<R>{{points, in.lattice()}, value, weight});
+    in.add("scatter mean", sums, ScatterMean<R>{{points, in.lattice()}, value, weight});
   }
 
   void scatter_means(Sweep<D>& in, const Particles<G>& points, const Table<double>& values,
                      const Accumulator& sums) const override {
-    in.add("means", sums, ScatterMeans<R>{{points, in.lattice()}, values});
+    in.add("scatter means", sums, ScatterMeans<R>{{points, in.lattice()}, values});
   }
 
   void subtract_means(Sweep<D>& in, const Particles<G>& points, const Table<double>& field,

@@ -170,8 +170,7 @@ struct Rows {
         if constexpr (kind == Stress::pressure)
           force.value[i][k] += P(-factor * s[0]) * g(k, i);
         else
-          for (int j = 0; j < D; ++j)
-            force.value[i][k] += P(-factor * s[Sym3::at(i, j)]) * g(k, j);
+          for (int j = 0; j < D; ++j) force.value[i][k] += P(-factor * s[Sym3::at(i, j)]) * g(k, j);
       }
   }
 

@@ -54,6 +54,23 @@ void Kernels::stop() {
   tools::set_end_parallel_scan_callback(nullptr);
 }
 
+std::vector<std::string> stages_of(const std::string& name) {
+  std::vector<std::string> stages;
+  if (is_second_launch(name)) return stages;
+  for (std::size_t begin = 0; begin != std::string::npos;) {
+    const std::size_t end = name.find(", ", begin);
+    stages.push_back(name.substr(begin, end - begin));
+    begin = end == std::string::npos ? end : end + 2;
+  }
+  return stages;
+}
+
+bool is_second_launch(const std::string& name) {
+  const std::string mark = " (2)";
+  return name.size() > mark.size() &&
+         name.compare(name.size() - mark.size(), mark.size(), mark) == 0;
+}
+
 std::map<std::string, int> kernels_of(const std::function<void()>& work) {
   Kernels kernels;
   kernels.start();
@@ -61,7 +78,8 @@ std::map<std::string, int> kernels_of(const std::function<void()>& work) {
   kernels.stop();
   std::map<std::string, int> launches;
   for (const auto& kernel : kernels.all())
-    launches[kernel.name] = static_cast<int>(kernel.launches);
+    for (const auto& stage : stages_of(kernel.name))
+      launches[stage] += static_cast<int>(kernel.launches);
   return launches;
 }
 

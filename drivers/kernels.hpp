@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <vector>
 
 namespace brisance {
 
@@ -41,7 +42,12 @@ class Kernels {
   static void end(std::uint64_t kernel);
 };
 
-/// Name and number of launches within `work`.
+/// The stages of a sweep by its name, see Sweep::run; of another kernel, its name. None of a second
+/// launch.
+std::vector<std::string> stages_of(const std::string& name);
+bool is_second_launch(const std::string& name);
+
+/// Name and number of launches within `work`, of each stage.
 std::map<std::string, int> kernels_of(const std::function<void()>& work);
 
 }  // namespace brisance

@@ -102,8 +102,14 @@ List valid_scheme(const Preset& p) {
           "share of the pressure noise that evens out in a sound crossing of a cell [-]");
   declare(valid, "heat conduction", p.heat_conduction, at_least_zero(),
           "share of their heat that particles exchange per unit of compression [-]");
+  declare(valid, "relaxation interval", p.relaxation_interval, at_least(1),
+          "volume, pressure and heat relax once in so many steps, for all of them [steps]");
   declare(valid, "split length", p.split_length, at_least_zero(),
           "particles of fluids longer than this are split; 0: never [cells]");
+  declare(
+      valid, "summation", std::string("colours"), one_of({"colours", "duplicates"}),
+      "how threads add to one node: in blocks of two colours, with the same bits for any number "
+      "of threads, or each into a copy of its own [-]");
   declare(valid, "sleep", false, anything(),
           "whether gas at rest that no wave has reached yet is left out of the steps [-]");
   declare_list(valid, "artificial viscosity", "what gives shocks a width") =

@@ -17,6 +17,7 @@ struct Preset {
   double stress_relaxation = 0;
   // corrections
   double volume_relaxation = 0.15, pressure_relaxation = 1, heat_conduction = 1, split_length = 0.5;
+  int relaxation_interval = 4;
   // artificial viscosity
   std::string viscosity = "Kurapatenko";
   double quadratic = 1, linear = 0.85, expansion = 0.25, limiter = 1;

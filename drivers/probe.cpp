@@ -198,7 +198,7 @@ void Riders<G>::carry_with(const Group<G>& group, const State<G>& state, double 
     transfer.gather_scalar(sweep, points_, state.grid.before, d, v, 0, before);
     transfer.gather_scalar(sweep, points_, state.grid.after, d, v, 1, 1 - before);
   }
-  sweep.run("velocity of riders");
+  sweep.run();
   const Particles<G> points = points_;
   const Ends<D> ends(lattice, state.grid.boundaries);
   Kokkos::parallel_for(

@@ -150,9 +150,9 @@ class SimulationIn final : public Simulation {
     for (const auto& [name, sum] : bytes) f.columns.push_back({name, sum / f.particles});
     f.cells = 1;
     for (int d = 0; d < D; ++d) f.cells *= state_.grid.lattice.cells[d];
-    f.grid_bytes = static_cast<double>(state_.grid.bytes() + state_.sums.bytes() +
-                                       state_.spare.bytes() +
-                                       state_.means.bytes() + state_.sleep.bytes());
+    f.grid_bytes =
+        static_cast<double>(state_.grid.bytes() + state_.sums.bytes() + state_.spare.bytes() +
+                            state_.means.bytes() + state_.sleep.bytes());
     f.sort_bytes = static_cast<double>(state_.sorter.bytes());
     return f;
   }
@@ -234,6 +234,9 @@ class SimulationIn final : public Simulation {
     s.split_length = get<double>(scheme, "split length");
     s.rates = {get<double>(scheme, "volume relaxation"), get<double>(scheme, "pressure relaxation"),
                get<double>(scheme, "heat conduction")};
+    s.summation = get<std::string>(scheme, "summation") == "colours" ? Summation::colours
+                                                                     : Summation::duplicates;
+    s.relaxation_interval = get<int>(scheme, "relaxation interval");
     if (const List* solids = find_list(scheme, "solids"))
       s.relaxes_stress = get<double>(*solids, "stress relaxation") > 0;
     return s;

@@ -55,12 +55,14 @@ void sort(std::vector<TimeRow>& rows) {
 std::vector<TimeRow> alike_together(const std::vector<TimeRow>& kernels) {
   std::vector<TimeRow> rows;
   for (const TimeRow& kernel : kernels) {
-    const std::string name = together(kernel.name);
+    const bool second = is_second_launch(kernel.name);
+    const std::string name =
+        together(second ? kernel.name.substr(0, kernel.name.size() - 4) : kernel.name);
     auto row = std::find_if(rows.begin(), rows.end(),
                             [&](const TimeRow& known) { return known.name == name; });
     if (row == rows.end()) row = rows.insert(row, {name});
     row->seconds += kernel.seconds;
-    row->calls += kernel.calls;
+    if (!second) row->calls += kernel.calls;
   }
   sort(rows);
   return rows;

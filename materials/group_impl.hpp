@@ -67,7 +67,8 @@ class MaterialGroup : public Group<G> {
             double v = 0;
             for (int d = 0; d < D; ++d) v = most(v, fabs(point.particles.velocity(p, d)));
             in_matter = most(in_matter, finite(signal));
-            over_grid = most(over_grid, finite(most(v + signal, strain_length * fabs(trace(rate)))));
+            over_grid =
+                most(over_grid, finite(most(v + signal, strain_length * fabs(trace(rate)))));
           }
           of_rows(row.number, 0) = over_grid;
           of_rows(row.number, 1) = in_matter;

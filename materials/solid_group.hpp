@@ -48,8 +48,8 @@ class SolidGroup final : public MaterialGroup<G, M> {
           const Strain strain = point.strain(p, dt, around);
           const Sym3 old = point.turn(p, dt, h);
           const Response r = point.material.update(strain, old, h);
-          h.energy +=
-              0.5 * dt / strain.rho0 * (contract(old, strain.rate) + contract(r.stress, strain.rate));
+          h.energy += 0.5 * dt / strain.rho0 *
+                      (contract(old, strain.rate) + contract(r.stress, strain.rate));
           store(point, p, strain, r, h);
         });
   }

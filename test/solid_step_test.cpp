@@ -176,8 +176,7 @@ TEST(Rotation, TurnsTheNormalOfACrack) {
   const double dt = 1e-3, spin = 2 / dt * std::tan(std::acos(-1.) / 40);  // ten steps are a quarter
   p.gradient(0, 1) = -spin;
   p.gradient(0, 2) = spin;
-  for (int k = 0; k < 10; ++k)
-    test::sweep(lattice, [&](auto& in) { group->update(in, grid, dt); });
+  for (int k = 0; k < 10; ++k) test::sweep(lattice, [&](auto& in) { group->update(in, grid, dt); });
   EXPECT_NEAR(p.history(0, normal_x), 0, 1e-13);
   EXPECT_NEAR(p.history(0, normal_x + 1), 1, 1e-13);
 }

@@ -43,7 +43,7 @@ template <int D, class F>
 void sweep(const Lattice<D>& lattice, const F& f) {
   Sweep<D> stages(lattice);
   f(stages);
-  stages.run("test");
+  stages.run();
 }
 
 /// Sums over all groups; momentum with what walls have received.

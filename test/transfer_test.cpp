@@ -37,9 +37,8 @@ class EveryTransfer : public testing::Test {
   static void know_cells(State<G>& state, const Group<G>& group) {
     if (!group.transfer->cell_quadrature()) return;
     state.sums.clear();
-    test::sweep(state.grid.lattice, [&](auto& in) {
-      group.transfer->scatter_cells(in, group.particles, state.sums);
-    });
+    test::sweep(state.grid.lattice,
+                [&](auto& in) { group.transfer->scatter_cells(in, group.particles, state.sums); });
     state.sums.contribute();
     average_cells(state.grid, state.sums);
     scale_cells(state.grid);
@@ -73,9 +72,8 @@ TYPED_TEST(EveryTransfer, CarriesMassAndMomentumOfTheParticlesToTheNodes) {
     of.side = side;
     this->for_each(of, [](auto& state, auto& group, auto& transfer) {
       state.sums.clear();
-      test::sweep(state.grid.lattice, [&](auto& in) {
-        transfer.scatter_momentum(in, group.particles, state.sums);
-      });
+      test::sweep(state.grid.lattice,
+                  [&](auto& in) { transfer.scatter_momentum(in, group.particles, state.sums); });
       state.sums.contribute();
       const Totals t = test::totals(state);
       EXPECT_NEAR(TestFixture::sum(state, TypeParam::dim) / t.mass, 1, 1e-13);

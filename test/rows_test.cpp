@@ -1,0 +1,106 @@
+// How threads add to one node: by colours or into copies, the sums are the same to round-off; by
+// colours to the last bit for any number of threads, since no row is added before another.
+#include <gtest/gtest.h>
+
+#include <Teuchos_ParameterList.hpp>
+
+#include "core/shape.hpp"
+#include "core/stencil.hpp"
+#include "test/state.hpp"
+
+namespace brisance {
+namespace {
+
+using test::scene;
+using test::simulated;
+
+TEST(Summation, ByCopiesGivesTheSameToRoundOff) {
+  for (const char* preset : {"paper", "balanced", "accurate"}) {
+    const std::vector<std::string> common = {std::string("preset=") + preset,
+                                             "bodies/first/pressure=2", "time/end=0.02"};
+    auto copies = common;
+    copies.push_back("scheme/summation=duplicates");
+    const auto a = simulated(scene(2, common))->snapshot().table,
+               b = simulated(scene(2, copies))->snapshot().table;
+    EXPECT_LT(test::distance(a, b), 1e-11) << preset;
+  }
+}
+
+/// Each block reaches into the next, but not into the one after.
+TEST(RowLayout, BlocksOfOneColourHaveNoNodeInCommon) {
+  const Lattice<2> lattice({0., 0.}, {70, 45}, 1);
+  const RowLayout<2> layout(lattice);
+  const int reach = CubicSpline::width - 1;
+  std::vector<int> owner(lattice.size + reach * lattice.stride[1] + reach, -1);
+  for (int colour = 0; colour < 2; ++colour) {
+    std::fill(owner.begin(), owner.end(), -1);
+    for (int block = colour; block < layout.blocks; block += 2)
+      for (int k = block * layout.rows_in_block;
+           k < std::min(layout.rows, (block + 1) * layout.rows_in_block); ++k) {
+        const Row<2> row = layout.row(k);
+        for (int bin = row.begin; bin < row.end; ++bin)
+          for (int line = 0; line <= reach; ++line) {
+            int& of_node = owner[bin + line * lattice.stride[1]];
+            ASSERT_TRUE(of_node < 0 || of_node == block) << "bin " << bin;
+            of_node = block;
+          }
+      }
+  }
+}
+
+TEST(RowLayout, HoldsEachBinOnce) {
+  for (const int width : {1, 31, 61, 100}) {
+    const Lattice<2> lattice({0., 0.}, {width, 5}, 1);
+    const RowLayout<2> layout(lattice);
+    int next = 0;
+    for (int k = 0; k < layout.rows; ++k) {
+      const Row<2> row = layout.row(k);
+      EXPECT_EQ(row.begin, next);
+      EXPECT_EQ(row.number, k);
+      next = row.end;
+    }
+    EXPECT_EQ(next, lattice.size);
+  }
+}
+
+/// Weights and slopes in packs are those of the shape, one by one.
+template <class S>
+void expect_packs_as_shape() {
+  using L = Lanes<2, S::width>;
+  const Lattice<2> lattice({0., 0.}, {8, 8}, 0.5);
+  Particles<PlaneStrain> points(1, {});
+  points.vol(0) = 0.1;
+  for (const double x : {1.01, 1.26, 1.49})
+    for (const double y : {1.6, 1.74, 1.9}) {
+      points.position(0, 0) = x;
+      points.position(0, 1) = y;
+      const double at[2] = {lattice.in_cells(x, 0), lattice.in_cells(y, 1)};
+      const int base[2] = {S::base(at[0]), S::base(at[1])};
+      const Stencil<PlaneStrain, S> stencil(lattice, base, points, 0);
+      double w[2][S::width], slope[2][S::width];
+      for (int d = 0; d < 2; ++d)
+        S::at(at[d] - base[d], points.half_length(0, d, lattice.h), w[d], slope[d]);
+      for (int k = 0; k < L::packs; ++k)
+        for (int lane = 0; lane < L::count; ++lane) {
+          if (!L::used(lane)) {
+            EXPECT_EQ(stencil.weight[k][lane], 0);
+            continue;
+          }
+          const int i = L::digit(k, lane, 0), j = L::digit(k, lane, 1);
+          EXPECT_NEAR(stencil.weight[k][lane], w[0][i] * w[1][j], 1e-15);
+          EXPECT_NEAR(stencil.gradient(k, 0)[lane], slope[0][i] * w[1][j] / lattice.h, 1e-14);
+          EXPECT_NEAR(stencil.gradient(k, 1)[lane], w[0][i] * slope[1][j] / lattice.h, 1e-14);
+          EXPECT_NEAR(stencil.arm(k, 0)[lane], (i + base[0]) * lattice.h - x, 1e-14);
+        }
+    }
+}
+
+TEST(Packs, HoldWhatTheShapesSay) {
+  expect_packs_as_shape<Linear>();
+  expect_packs_as_shape<Gimp>();
+  expect_packs_as_shape<QuadraticSpline>();
+  expect_packs_as_shape<CubicSpline>();
+}
+
+}  // namespace
+}  // namespace brisance
