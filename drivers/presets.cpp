@@ -30,6 +30,7 @@ Preset preset(const std::string& name, int dim, bool solids_meet_fluids) {
   }
   if (name == "fast") {
     p.damping = 0.015;
+    p.relaxation_interval = 4;  // of the volume alone, which makes no pressure waver
     p.pressure_relaxation = p.heat_conduction = 0;
     p.viscosity = "von Neumann-Richtmyer";
     p.linear = 0.5;
