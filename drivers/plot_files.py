@@ -68,7 +68,7 @@ def read_grid(path):
             for d in range(3)]
     z, y, x = np.meshgrid(*axes[::-1], indexing="ij")
     arrays["Points"] = np.stack([x.ravel(), y.ravel(), z.ravel()], axis=1)
-    arrays["spacing"] = spacing[0]
+    arrays["spacing"] = np.float64(spacing[0])
     return complete(arrays, ("fill",), path)
 
 
