@@ -108,6 +108,7 @@ class Seeder {
       if (counts[b] == 0 && !list_names(list).empty()) refuse(list, "", why_empty(bodies.all()[b]));
       all += static_cast<double>(counts[b]);
     }
+    if (all > 2e9) refuse(scene.sublist("bodies"), "", "must have fewer than 2e9 particles in all");
     check_particle_memory(scene, all, available_memory());
   }
 
@@ -116,8 +117,6 @@ class Seeder {
     double sum = 0;
     for (std::size_t b = 0; b < counts.size(); ++b)
       if (bodies.all()[b].material == group.label) sum += static_cast<double>(counts[b]);
-    if (sum > 2e9)
-      throw std::runtime_error("the scene has more than 2e9 particles of '" + group.label + "'");
     group.allocate(static_cast<int>(sum), needs);
     for (std::size_t b = 0; b < counts.size(); ++b)
       if (bodies.all()[b].material == group.label && counts[b] > 0)

@@ -13,6 +13,7 @@ namespace brisance {
 namespace {
 
 constexpr double most_steps = 1e8;
+constexpr double speed_of_light = 299792458;  // [m/s]
 constexpr double without_limit = std::numeric_limits<double>::infinity();
 
 /// A file that holds one number; otherwise ("max", or no such file) without limit.
@@ -74,10 +75,17 @@ void check_start(const List& scene, double dt, double fastest, double mass, doub
   if (!finite)
     refuse(scene.sublist("bodies"), "",
            "has values too large or too small: mass, energy or speed of sound is no number");
+  char text[160];
+  if (fastest > speed_of_light) {
+    std::snprintf(text, sizeof text,
+                  "start with signals of %.3g m/s, faster than light; a value of them or of their "
+                  "materials is far too large or too small",
+                  fastest);
+    refuse(scene.sublist("bodies"), "", text);
+  }
   const List& time = scene.sublist("time");
   const double steps = get<double>(time, "end") / dt;
   if (steps <= most_steps) return;
-  char text[100];
   std::snprintf(text, sizeof text, "takes about %.2g steps of %.2g s, more than %.0e", steps, dt,
                 most_steps);
   refuse(time, "end", text);

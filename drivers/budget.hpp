@@ -14,7 +14,8 @@ void check_grid_memory(const List& scene, double available);
 /// The same for its particles.
 void check_particle_memory(const List& scene, double particles, double available);
 
-/// Throws InputError if a scene takes steps without end, or its state at the start is not finite.
+/// Throws InputError if a scene takes steps without end, or its state at the start is not finite
+/// or faster than light.
 /// `dt`: the first step [s]; `fastest`: signal [m/s]; `mass` and `energy`: of all matter [kg], [J].
 void check_start(const List& scene, double dt, double fastest, double mass, double energy);
 

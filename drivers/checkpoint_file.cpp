@@ -52,8 +52,11 @@ void write_entry(hid_t file, const std::string& path, const Archive::Entry& entr
   if (const auto* text = std::get_if<std::string>(&entry.data)) table(H5T_NATIVE_UINT8, *text);
 }
 
-Archive::Entry read_entry(hid_t file, const std::string& path) {
+/// Nothing is compressed: no table has more numbers than the file has bytes.
+Archive::Entry read_entry(hid_t file, const std::string& path, std::size_t bytes) {
   const hdf5::Shape shape = hdf5::shape_of(file, path);
+  if (shape.rows > 0 && shape.columns > bytes / shape.rows)
+    throw std::runtime_error("is damaged: '" + path + "' is larger than the file");
   Archive::Entry entry;
   entry.rows = shape.rows;
   const auto fill = [&](auto data, hid_t type) {
@@ -75,6 +78,13 @@ Archive::Entry read_entry(hid_t file, const std::string& path) {
   return entry;
 }
 
+std::string read_text(hid_t file, const std::string& path, std::size_t bytes) {
+  const Archive::Entry entry = read_entry(file, path, bytes);
+  const auto* text = std::get_if<std::string>(&entry.data);
+  if (!text) throw std::runtime_error("has no text '" + path + "'");
+  return *text;
+}
+
 }  // namespace
 
 std::string seal_of(const std::string& content) {
@@ -84,23 +94,23 @@ std::string seal_of(const std::string& content) {
   return seal;
 }
 
-void write_checkpoint(const fs::path& path, const CheckpointHead& head, Archive&& archive) {
-  std::string image;
-  {
-    const hdf5::Handle file = hdf5::new_file();
-    each_attribute(head,
-                   [&](const char* name, const auto& value) { hdf5::put(file, name, value); });
-    write_entry(file, input_path, {head.input});
-    auto& entries = archive.entries();
-    std::string contents;
-    for (const auto& entry : entries) contents += entry.first + "\n";
-    write_entry(file, contents_path, {contents});
-    while (!entries.empty()) {
-      write_entry(file, entries.begin()->first, entries.begin()->second);
-      entries.erase(entries.begin());
-    }
-    image = hdf5::image_of(file);
+std::string bytes_of(const CheckpointHead& head, Archive&& archive) {
+  const hdf5::Handle file = hdf5::new_file();
+  each_attribute(head, [&](const char* name, const auto& value) { hdf5::put(file, name, value); });
+  write_entry(file, input_path, {head.input});
+  auto& entries = archive.entries();
+  std::string contents;
+  for (const auto& entry : entries) contents += entry.first + "\n";
+  write_entry(file, contents_path, {contents});
+  while (!entries.empty()) {
+    write_entry(file, entries.begin()->first, entries.begin()->second);
+    entries.erase(entries.begin());
   }
+  return hdf5::image_of(file);
+}
+
+void write_checkpoint(const fs::path& path, const CheckpointHead& head, Archive&& archive) {
+  const std::string image = bytes_of(head, std::move(archive));
   expect_room(path.parent_path(), "'" + path.string() + "'", static_cast<double>(image.size()));
   AtomicFile file(path);
   file.write(image);
@@ -108,8 +118,9 @@ void write_checkpoint(const fs::path& path, const CheckpointHead& head, Archive&
   file.commit();
 }
 
-Checkpoint read_checkpoint(const fs::path& path) {
-  std::string content = read_file(path);
+Checkpoint read_checkpoint(const fs::path& path) { return checkpoint_of(read_file(path)); }
+
+Checkpoint checkpoint_of(std::string content) {
   if (content.size() < seal_size ||
       std::memcmp(content.data() + content.size() - seal_size, mark, sizeof mark) != 0)
     throw std::runtime_error("is cut off, or no checkpoint");
@@ -126,10 +137,11 @@ Checkpoint read_checkpoint(const fs::path& path) {
                              " of another version; this one reads " + std::to_string(known));
   each_attribute(checkpoint.head,
                  [&](const char* name, auto& value) { hdf5::get(file, name, value); });
-  checkpoint.head.input = std::get<std::string>(read_entry(file, input_path).data);
+  checkpoint.head.input = read_text(file, input_path, content.size());
   Archive::Entries entries;
-  std::istringstream contents(std::get<std::string>(read_entry(file, contents_path).data));
-  for (std::string name; std::getline(contents, name);) entries[name] = read_entry(file, name);
+  std::istringstream contents(read_text(file, contents_path, content.size()));
+  for (std::string name; std::getline(contents, name);)
+    entries[name] = read_entry(file, name, content.size());
   checkpoint.archive = Archive(std::move(entries));
   return checkpoint;
 }

@@ -25,6 +25,9 @@ struct CheckpointHead {
 void write_checkpoint(const std::filesystem::path& path, const CheckpointHead& head,
                       Archive&& archive);
 
+/// The file that would be written, but for its seal.
+std::string bytes_of(const CheckpointHead& head, Archive&& archive);
+
 struct Checkpoint {
   CheckpointHead head;
   Archive archive;
@@ -32,6 +35,9 @@ struct Checkpoint {
 
 /// Throws std::runtime_error that says why the file is none, "is cut off", "is damaged".
 Checkpoint read_checkpoint(const std::filesystem::path& path);
+
+/// The same of the bytes of a file, seal included.
+Checkpoint checkpoint_of(std::string content);
 
 /// The mark and the checksum that belong behind a content.
 std::string seal_of(const std::string& content);

@@ -13,7 +13,10 @@
 
 namespace brisance {
 
-List load_scene(const SceneRequest& request) {
+namespace {
+
+/// The scene as it is given by the file and the command line.
+Document read_scene(const SceneRequest& request) {
   Document document = read_input(request.file);
   if (is_sweep(*document.list))
     throw InputError("", "", "", "is a sweep, not a scene: run it by 'brisance batch'", request.file);
@@ -22,12 +25,27 @@ List load_scene(const SceneRequest& request) {
       apply_override(document, "preset=" + request.preset, valid_scene(*document.list));
     for (const auto& assignment : request.assignments)
       apply_override(document, assignment, valid_scene(*document.list));
+    return document;
+  } catch (const InputError& error) {
+    throw document.locate(error);
+  }
+}
+
+}  // namespace
+
+List load_scene(const SceneRequest& request) {
+  const Document document = read_scene(request);
+  try {
     List scene = complete_scene(*document.list);
     scene.setName(std::filesystem::path(request.file).stem().string());
     return scene;
   } catch (const InputError& error) {
     throw document.locate(error);
   }
+}
+
+InputError locate(const SceneRequest& request, const InputError& error) {
+  return read_scene(request).locate(error);
 }
 
 int tell(const RunResult& result, const std::filesystem::path& folder) {
@@ -45,7 +63,11 @@ int run_command(const SceneRequest& request, const std::string& folder, int thre
   options.folder = folder.empty() ? "out/" + scene.name() : folder;
   options.wall_limit = wall_limit;
   const FolderLock lock(options.folder);
-  return tell(run(scene, options), options.folder);
+  try {
+    return tell(run(scene, options), options.folder);
+  } catch (const InputError& error) {
+    throw locate(request, error);
+  }
 }
 
 }  // namespace brisance

@@ -23,6 +23,9 @@ struct SceneRequest {
 /// The complete scene; its name is that of the file. Throws InputError with file and line.
 List load_scene(const SceneRequest& request);
 
+/// The same error with its place in the scene, for what shows when a loaded scene is set up.
+InputError locate(const SceneRequest& request, const InputError& error);
+
 /// Prints how a run went. Returns the exit status.
 int tell(const RunResult& result, const std::filesystem::path& folder);
 

@@ -42,9 +42,17 @@ void put_as(hid_t file, const char* name, hid_t type, const void* value) {
   checked(H5Awrite(attribute, type, value), name);
 }
 
+/// An attribute that is read into one value must hold no more.
+Handle open_single(hid_t file, const char* name) {
+  Handle attribute(H5Aopen(file, name, H5P_DEFAULT), H5Aclose, name);
+  const Handle space(H5Aget_space(attribute), H5Sclose, name);
+  if (H5Sget_simple_extent_npoints(space) != 1)
+    throw std::runtime_error(std::string("HDF5 fails at '") + name + "'");
+  return attribute;
+}
+
 void get_as(hid_t file, const char* name, hid_t type, void* value) {
-  const Handle attribute(H5Aopen(file, name, H5P_DEFAULT), H5Aclose, name);
-  checked(H5Aread(attribute, type, value), name);
+  checked(H5Aread(open_single(file, name), type, value), name);
 }
 
 }  // namespace
@@ -86,8 +94,11 @@ void put(hid_t file, const char* attribute, double value) {
 }
 
 void get(hid_t file, const char* name, std::string& value) {
-  const Handle attribute(H5Aopen(file, name, H5P_DEFAULT), H5Aclose, name);
+  const Handle attribute = open_single(file, name);
   const Handle type(H5Aget_type(attribute), H5Tclose, name);
+  // A text of any length is a pointer there, which would have to be freed.
+  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) != 0)
+    throw std::runtime_error(std::string("HDF5 fails at '") + name + "'");
   value.assign(H5Tget_size(type), '\0');
   checked(H5Aread(attribute, type, value.data()), name);
   value.resize(std::min(value.size(), value.find('\0')));

@@ -77,8 +77,9 @@ int describe_command(const std::string& name) {
   return 0;
 }
 
-int check_command(const SceneRequest& request, int threads) {
-  const List scene = load_scene(request);
+namespace {
+
+void tell_what_it_takes(const std::string& file, const List& scene, int threads) {
   const Runtime runtime(threads > 0 ? threads : threads_for(scene));
   const List* exact_list = find_list(scene, "exact");
   const auto exact = exact_list ? make_exact(*exact_list) : nullptr;
@@ -91,7 +92,7 @@ int check_command(const SceneRequest& request, int threads) {
   const auto kernels = kernels_of([&] { simulation->advance(end); });
   const Footprint f = simulation->footprint();
 
-  std::printf("%s: %s\n", request.file.c_str(), get<std::string>(scene, "title").c_str());
+  std::printf("%s: %s\n", file.c_str(), get<std::string>(scene, "title").c_str());
   std::printf("cells      %.0f\nparticles  %.0f\n", f.cells, f.particles);
   std::printf("steps      about %.0f, from the fastest signal at the start\n", steps);
   std::printf("output     %s\n", size.text().c_str());
@@ -106,6 +107,17 @@ int check_command(const SceneRequest& request, int threads) {
               bytes + sort + grid);
   std::printf("kernels    launches in a step\n");
   for (const auto& [name, launches] : kernels) std::printf("  %-28s %4d\n", name.c_str(), launches);
+}
+
+}  // namespace
+
+int check_command(const SceneRequest& request, int threads) {
+  const List scene = load_scene(request);
+  try {
+    tell_what_it_takes(request.file, scene, threads);
+  } catch (const InputError& error) {
+    throw locate(request, error);
+  }
   return 0;
 }
 

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <vector>
 
+#include "drivers/files.hpp"
 #include "drivers/input_scan.hpp"
 #include "drivers/input_value.hpp"
 
@@ -257,10 +258,7 @@ std::string input_text(const List& list, const std::string& comment) {
 }
 
 void write_input(const List& list, const std::string& path, const std::string& comment) {
-  const std::string text = input_text(list, comment);
-  std::ofstream stream(path, std::ios::binary);
-  stream << text << std::flush;
-  if (!stream) throw std::runtime_error("cannot write " + path);
+  write_file(path, input_text(list, comment));
 }
 
 }  // namespace brisance

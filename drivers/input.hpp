@@ -42,7 +42,7 @@ void apply_override(Document& document, const std::string& assignment, const Lis
 /// A list as XML that parse_input() reads back to the same values. The comment stands at its head.
 std::string input_text(const List& list, const std::string& comment);
 
-/// Writes input_text() to a file. Throws std::runtime_error when it cannot be written.
+/// Writes input_text() to a file, whole or not at all. Throws std::runtime_error when it cannot.
 void write_input(const List& list, const std::string& path, const std::string& comment);
 
 }  // namespace brisance

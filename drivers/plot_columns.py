@@ -15,7 +15,8 @@ OTHER_NAMES = {"speed": "velocity", "velocity magnitude": "velocity"}
 AXES = "xyz"
 
 # A field at one output. `x`: (n, 3) [m]; `side` of the square that a row fills [m]; `volume`: what it
-# weighs in means; `material`: its number, None for a grid; `fluid`: whether it is one, None for a grid.
+# weighs in means; `material`: its number, `fluid`: whether it is one, None where that was not written and
+# for a grid.
 Sample = namedtuple("Sample", "time number x side volume values material fluid")
 
 
@@ -80,7 +81,7 @@ class Field:
         time, file = read_series(run.path(kind + ".pvd"))[number]
         path = run.path(file)
         return time, read_grid(path) if kind == "grid" else complete(
-            read_vtk(path)[1], ("Points", "mass", "volume"), path)
+            read_vtk(path)[1], ("Points",), path)
 
     def sample(self, run, number):
         time, arrays = self.arrays(run, self.kind, number)
@@ -89,8 +90,12 @@ class Field:
         except KeyError:
             raise Missing(f"no field '{self.name}' in {run.folder}") from None
         if self.kind == "particles":
-            volume = arrays["volume"]
+            if "volume" not in arrays and not run.is_line:
+                raise Missing(f"no map of {run.folder}: the output has no column 'volume' (output/columns)")
+            volume = arrays["volume"] if "volume" in arrays else np.zeros(len(values))
             side = volume if run.is_line else np.sqrt(volume)  # of particles that are one metre deep
+            if "material" not in arrays:
+                return Sample(time, number, arrays["Points"], side, volume, values, None, None)
             fluids = [k for k, (_, law) in enumerate(run.materials) if law in FLUIDS]
             if self.is_material:  # numbered alike in all runs
                 numbers = [list(self.materials).index(name) for name, _ in run.materials]

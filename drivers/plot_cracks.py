@@ -9,15 +9,16 @@ from plot_panels import BACKGROUND, common_limits
 from plot_raster import Raster
 from plot_run import INK, RED, prefixed
 
-NEEDED = ("damage", "decohesion", "normal x", "normal y")
+NEEDED = ("volume", "material", "damage", "decohesion", "normal x", "normal y")
 OTHER = "#9aa5ad"
 
 
 def draw_cracks(run):
     particles = run.particles
-    if any(name not in particles for name in NEEDED):
-        return
     numbers = [k for k, (_, law) in enumerate(run.materials) if law == "concrete"]
+    if not numbers:
+        return
+    run.expect(NEEDED)
     concrete = np.isin(particles["material"], numbers)
     if not concrete.any():
         return

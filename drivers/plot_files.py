@@ -8,8 +8,21 @@ class Missing(Exception):
     """Something that a picture needs is not there; says what in one line."""
 
 
+class NotWritten(Missing):
+    """What a picture needs is a column that the run was not asked to write."""
+
+
 class Mistake(Exception):
     """What was asked for cannot be meant; says why in one line."""
+
+
+class Arrays(dict):
+    """Arrays by name, left on the disk until they are used; then in double precision, which sums over many
+    particles need."""
+
+    def __getitem__(self, name):
+        values = super().__getitem__(name)
+        return values.astype(float) if values.dtype == np.float32 else values
 
 
 def complete(table, needed, path):
@@ -23,10 +36,9 @@ def complete(table, needed, path):
 
 
 def read_vtk(path):
-    """The XML head of a file of particles or of a grid, and its arrays by name, left on the disk until
-    they are used."""
+    """The XML head of a file of particles or of a grid, and its arrays."""
     mark = b'<AppendedData encoding="raw">\n_'
-    arrays = {}
+    arrays = Arrays()
     try:
         raw = np.memmap(path, dtype=np.uint8, mode="r")
         text = bytes(raw[: 1 << 16]).partition(mark)[0]
@@ -56,7 +68,7 @@ def read_grid(path):
             for d in range(3)]
     z, y, x = np.meshgrid(*axes[::-1], indexing="ij")
     arrays["Points"] = np.stack([x.ravel(), y.ravel(), z.ravel()], axis=1)
-    arrays["spacing"] = spacing[0]
+    arrays["spacing"] = np.float64(spacing[0])
     return complete(arrays, ("fill",), path)
 
 

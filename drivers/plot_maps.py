@@ -9,6 +9,7 @@ from plot_scale import Scale
 
 
 def draw_maps(run):
+    run.expect(("volume", *COLOURS))
     samples = {key: Field([run], key).sample(run, run.number) for key in COLOURS}
     low, high = common_limits([run], [samples["density"]])
     extent = np.maximum(high - low, 1e-3 * (high - low).max())[:2]

@@ -7,12 +7,13 @@ MOST_DOTS = 300_000
 
 def draw_profiles(run, radial=False):
     """Radial ones only where an exact solution is a function of the radius."""
+    exact, averages = run.table("exact.csv"), run.table("profile.csv")
+    if radial and (exact is None or "r" not in exact):
+        return
+    run.expect(("mass", "volume", *UNITS))
     particles, column, label = run.particles, "x", "x"
     where, velocity = run.x[:, 0], particles["velocity"][:, 0]
-    exact, averages = run.table("exact.csv"), run.table("profile.csv")
     if radial:
-        if exact is None or "r" not in exact:
-            return
         column, label = "r", "radius"
         away = run.x[:, :2] - run.centre
         where = np.hypot(*away.T)

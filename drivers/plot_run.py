@@ -2,7 +2,7 @@
 import os
 import xml.etree.ElementTree as xml
 
-from plot_files import Missing, Mistake, complete, read_csv, read_series, read_vtk
+from plot_files import Missing, Mistake, NotWritten, complete, read_csv, read_series, read_vtk
 from plot_libraries import np, plt
 from plot_options import is_file
 
@@ -68,9 +68,15 @@ class Run:
             raise Missing(f"no frame {number} among the {len(sets)} in {self.folder}")
         self.is_last = number == len(sets) - 1
         self.number, (self.time, file) = number, sets[number]
-        needed = ("Points", "velocity", "mass", "volume", *UNITS)
-        self.particles = complete(read_vtk(self.path(file))[1], needed, self.path(file))
+        self.particles = complete(read_vtk(self.path(file))[1], ("Points",), self.path(file))
         self.x = self.particles["Points"]
+
+    def expect(self, columns):
+        """Refuses a picture whose columns are not among those that were written."""
+        lacking = [name for name in columns if name not in self.particles]
+        if lacking:
+            names = ", ".join(f"'{name}'" for name in lacking)
+            raise NotWritten(f"the output has no column {names} (output/columns)")
 
     @property
     def is_line(self):

@@ -2,7 +2,7 @@
 import sys
 
 from plot_cracks import draw_cracks
-from plot_files import Missing, Mistake
+from plot_files import Missing, Mistake, NotWritten
 from plot_fragments import draw_fragments
 from plot_gauges import draw_gauges
 from plot_history import draw_history
@@ -25,7 +25,8 @@ def of_particles(run):
 
 def draw_usual(run, what, numbers):
     """`what`: names, empty for all that there are; `numbers`: outputs, empty for the last. What a picture
-    lacks is told, and the others are drawn all the same. Returns whether nothing was missing."""
+    lacks is told, and the others are drawn all the same. Returns whether nothing was missing; what the run
+    was not to write is so only where it was asked for by name."""
     wanted = ["profiles" if run.is_line and name == "fields" else name for name in what]
     whole = True
     for number in numbers or [None]:
@@ -47,6 +48,9 @@ def draw_usual(run, what, numbers):
                 draw(run)
                 if wanted and len(run.drawn) == before:
                     raise Mistake(f"no {name} of '{run.folder}': it has {LACKS[name]}")
+            except NotWritten as lacking:
+                print(f"plot: no picture '{name}': {lacking}", file=sys.stderr)
+                whole &= not wanted
             except Missing as missing:
                 print(f"plot: {missing}", file=sys.stderr)
                 whole = False

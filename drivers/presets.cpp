@@ -51,10 +51,10 @@ List valid_shock_viscosity(const Preset& p) {
   List valid;
   declare(valid, "form", p.viscosity, one_of({"none", "von Neumann-Richtmyer", "Kurapatenko"}),
           "formula of the artificial viscosity q [-]");
-  declare(valid, "quadratic", p.quadratic, at_least_zero(),
+  declare(valid, "quadratic", p.quadratic, between(0, 100),
           "coefficient c0 of the quadratic term [-]");
-  declare(valid, "linear", p.linear, at_least_zero(), "coefficient c1 of the linear term [-]");
-  declare(valid, "expansion", p.expansion, at_least_zero(),
+  declare(valid, "linear", p.linear, between(0, 100), "coefficient c1 of the linear term [-]");
+  declare(valid, "expansion", p.expansion, between(0, 100),
           "coefficient of the linear term in expansion [-]");
   declare(valid, "limiter", p.limiter, between(0, 1),
           "share of the linear terms taken away where the flow is smooth [-]");
@@ -99,9 +99,9 @@ List valid_scheme(const Preset& p) {
       "FLIP: share of a particle's velocity drawn to the grid's in a sound crossing of a cell [-]");
   declare(valid, "volume relaxation", p.volume_relaxation, between(0, 1),
           "share of the error in filled volume that is removed in a sound crossing of a cell [-]");
-  declare(valid, "pressure relaxation", p.pressure_relaxation, at_least_zero(),
+  declare(valid, "pressure relaxation", p.pressure_relaxation, between(0, 100),
           "share of the pressure noise that evens out in a sound crossing of a cell [-]");
-  declare(valid, "heat conduction", p.heat_conduction, at_least_zero(),
+  declare(valid, "heat conduction", p.heat_conduction, between(0, 100),
           "share of their heat that particles exchange per unit of compression [-]");
   declare(valid, "relaxation interval", p.relaxation_interval, at_least(1),
           "volume, pressure and heat relax once in so many steps, for all of them [steps]");

@@ -52,6 +52,9 @@ List changed_scene(const Checkpoint& checkpoint, const std::string& file,
       if (find_list(given, "gauges")) fix_interval(given.sublist("gauges"), "interval", end / 1000);
       time.set("end", request.until);
       notes.push_back("ends at " + text_of(request.until) + " s instead of " + text_of(end) + " s");
+      if (checkpoint.head.time >= end)
+        notes.push_back("its step to " + text_of(end) + " s was cut to end there, as none of one run to " +
+                        text_of(request.until) + " s is: numbers differ from those by that");
     }
     for (const auto& assignment : request.assignments) {
       if (!may_change(assignment))

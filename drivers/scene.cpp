@@ -91,7 +91,7 @@ void add_time(List& valid, const Preset& preset) {
           "cells that the fastest signal may cross in a step [-]");
   declare(time, "largest growth", 1.2, between(1, 10),
           "factor by which a step may exceed the one before [-]");
-  declare(time, "largest volume change", preset.largest_volume_change, above(0) && at_most(0.9),
+  declare(time, "largest volume change", preset.largest_volume_change, between(1e-6, 0.9),
           "share of its volume that a particle may gain or lose in a step [-]");
 }
 
@@ -126,7 +126,8 @@ List valid_body(const List& given, const List& materials, int dim) {
     if (has(given, "specific energy") && has(given, "pressure"))
       refuse(given, "specific energy", "is given beside 'pressure': give one of the two");
     if (solid)
-      declare(valid, "pressure", 0.0, anything(), "pressure, compression positive [Pa]");
+      declare(valid, "pressure", 0.0, between(-1e15, 1e15),
+              "pressure, compression positive [Pa]");
     else if (explosive && !has(given, "pressure"))
       declare(valid, "specific energy",
               number_of(materials, material, "energy density") /

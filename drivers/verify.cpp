@@ -108,8 +108,8 @@ int verify_command(const std::vector<std::string>& files, const std::string& fol
       for (const Verdict& v : result.outcome.verdicts) table.add(scene.name(), v);
       if (const List* convergence = find_list(scene, "convergence"))
         verify_convergence(scene, *convergence, table);
-    } catch (const InputError&) {
-      throw;
+    } catch (const InputError& error) {
+      throw locate({file, {}, {}}, error);
     } catch (const std::exception& error) {
       table.fail(scene.name(), error.what());
     }

@@ -26,14 +26,15 @@ Jwl::Jwl(const List& list)
 List Jwl::valid_parameters() {
   List valid;
   declare_required<double>(valid, "density", positive(), "of the solid explosive [kg/m^3]");
-  declare_required<double>(valid, "A", at_least_zero(), "coefficient [Pa]");
-  declare_required<double>(valid, "B", at_least_zero(), "coefficient [Pa]");
-  declare_required<double>(valid, "R1", positive(), "exponent [-]");
-  declare_required<double>(valid, "R2", positive(), "exponent [-]");
-  declare_required<double>(valid, "omega", positive(), "Grueneisen coefficient [-]");
-  declare_required<double>(valid, "energy density", positive(),
+  declare_required<double>(valid, "A", between(0, 1e15), "coefficient [Pa]");
+  declare_required<double>(valid, "B", between(0, 1e15), "coefficient [Pa]");
+  declare_required<double>(valid, "R1", above(0) && at_most(100), "exponent [-]");
+  declare_required<double>(valid, "R2", above(0) && at_most(100), "exponent [-]");
+  declare_required<double>(valid, "omega", above(0) && at_most(10),
+                           "Grueneisen coefficient [-]");
+  declare_required<double>(valid, "energy density", above(0) && at_most(1e15),
                            "internal energy of the solid explosive per volume [J/m^3]");
-  declare_required<double>(valid, "detonation speed", positive(),
+  declare_required<double>(valid, "detonation speed", above(0) && at_most(1e6),
                            "at which the explosive is lit from its ignition [m/s]");
   declare(valid, "burn", "program", one_of({"program", "at once"}),
           "program: each point from its lighting time on; at once: products from the start [-]");

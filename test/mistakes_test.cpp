@@ -121,6 +121,19 @@ TEST(MistakeOnTheCommandLine, IsToldInOneLine) {
   expect_refused(run + "--set scheme/transfer=APIC", out, "needs the shape");
 }
 
+TEST(MistakeInAScene, ThatShowsWhenItIsSetUpIsToldWithItsLine) {
+  const Folder folder("set_up");
+  const fs::path file = folder.path / "a.xml";
+  const std::string text = changed("value=\"0.2\"", "value=\"1e300\"");
+  std::ofstream(file) << text;
+  const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<long>(text.find("1e300")),
+                                   '\n');
+  for (const std::string command : {"run ", "check ", "verify "})
+    expect_told(command + "'" + file.string() + "'", 2,
+                file.string() + ":" + std::to_string(line) +
+                    ": list 'time', parameter 'end' = 1e+300: takes about");
+}
+
 TEST(MistakeOnTheCommandLine, InUsageEndsWithStatus2) {
   for (const char* arguments :
        {"", "rnu a.xml", "run", "run a.xml --no-such-option", "run a.xml --threads 0",

@@ -51,7 +51,7 @@ int frames_of_gif(const fs::path& path) {
   return count;
 }
 
-/// A tube, a flyer on a wall and the same with fewer outputs.
+/// A tube, a flyer on a wall, the same with fewer outputs, and its start in few columns of few digits.
 class Pictures : public testing::Test {
  protected:
   static void SetUpTestSuite() { folder = new Folder("plot"); }
@@ -65,6 +65,9 @@ class Pictures : public testing::Test {
     need("tube", words, "sod", "--set 'grid/cells={50}' --set 'grid/cell size=0.02'");
     need("wall", words, "concrete_impact", wall + "1e-5");
     need("other", words, "concrete_impact", wall + "2e-5");
+    need("narrow", words, "concrete_impact",
+         "--set time/end=4e-6 --set output/precision=single "
+         "--set 'output/columns={velocity, pressure, volume}'");
     return run_program("plot " + words, folder->path);
   }
   static void need(const std::string& name, const std::string& words, const std::string& scene,
@@ -170,6 +173,23 @@ TEST_F(Pictures, AreDrawnOfARunThatHasNotEnded) {
   EXPECT_EQ(ran.status, 0) << ran.err;
   expect_picture("unfinished/profiles.png");
   fs::remove_all(at("tube"));
+}
+
+TEST_F(Pictures, WhoseColumnsWereNotWrittenAreLeftOutAndTold) {
+  const std::string fields =
+      "plot: no picture 'fields': the output has no column 'density', 'energy' (output/columns)\n";
+  const Ran usual = plot("narrow --out few");
+  EXPECT_EQ(usual.status, 0);
+  EXPECT_EQ(usual.out, "few/history.png\n");
+  EXPECT_EQ(usual.err,
+            fields + "plot: no picture 'cracks': the output has no column 'material', 'damage', "
+                     "'decohesion', 'normal x', 'normal y' (output/columns)\n");
+  const Ran asked = plot("narrow --what fields");
+  EXPECT_EQ(asked.status, 1);
+  EXPECT_EQ(asked.err, fields);
+  const Ran there = plot("narrow --field pressure --out one.png");
+  EXPECT_EQ(there.status, 0) << there.err;
+  expect_picture("one.png");
 }
 
 TEST_F(Pictures, ThatCannotBeMeantAreToldInOneLine) {

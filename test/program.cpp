@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "drivers/files.hpp"
+#include "drivers/locations.hpp"
 
 namespace brisance::test {
 
@@ -30,39 +31,71 @@ Folder::~Folder() {
   fs::remove_all(path, ignored);
 }
 
-Ran run_program(const std::string& arguments, const fs::path& from) {
+namespace {
+
+/// Of a command, whose words the shell takes as they stand.
+Ran run_command(const std::string& command) {
   const Folder capture("capture");
   const std::string out = (capture.path / "out").string(), err = (capture.path / "err").string();
+  const int code =
+      std::system((command + " >'" + out + "' 2>'" + err + "' </dev/null").c_str());
+  return {WIFEXITED(code) ? WEXITSTATUS(code) : -1, read_file(out), read_file(err)};
+}
+
+Ran run_script_within(const std::string& shell, const std::string& script) {
+  const Folder folder("script");
+  write_file(folder.path / "script",
+             std::string("brisance='env ") + environment + BRISANCE_PROGRAM + "'\n" + script);
+  return run_command(shell + " " + in_quotes(folder.path / "script"));
+}
+
+}  // namespace
+
+Ran run_program(const std::string& arguments, const fs::path& from) {
   const std::string there = from.empty() ? "" : "cd '" + from.string() + "' && ";
-  const int code = std::system((there + environment + BRISANCE_PROGRAM + " " + arguments + " >'" +
-                                out + "' 2>'" + err + "' </dev/null")
-                                   .c_str());
+  return run_command(there + environment + BRISANCE_PROGRAM + " " + arguments);
+}
+
+Ran run_script(const std::string& script) { return run_script_within("sh", script); }
+Ran run_script_alone(const std::string& script) {
+  return run_script_within("unshare -rm sh", script);
+}
+
+std::string in_quotes(const fs::path& path) { return "'" + path.string() + "'"; }
+
+std::string tube(const fs::path& out) {
+  return "run " + in_quotes(data_folder() / "inputs/sod.xml") +
+         " --threads 1 --set 'grid/cells={400}' --set 'grid/cell size=0.0025' --set "
+         "'output/history interval=0.001' --set checkpoint/steps=5 --out " +
+         in_quotes(out);
+}
+
+Ran meddle_with_program(const std::string& arguments, const fs::path& file,
+                        const std::function<void(pid_t)>& meddle) {
+  const Folder capture("capture");
+  const std::string out = (capture.path / "out").string(), err = (capture.path / "err").string(),
+                    command = std::string("exec env ") + environment + BRISANCE_PROGRAM + " " +
+                              arguments + " >'" + out + "' 2>'" + err + "' </dev/null";
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
+    ::_exit(127);
+  }
+  int code = 0;
+  for (int k = 0; k < 30000 && !fs::exists(file); ++k)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  meddle(child);
+  ::waitpid(child, &code, 0);
   return {WIFEXITED(code) ? WEXITSTATUS(code) : -1, read_file(out), read_file(err)};
 }
 
 Ran interrupt_program(const std::vector<std::string>& arguments, const fs::path& file, int signal) {
-  const Folder capture("capture");
-  const std::string out = (capture.path / "out").string(), err = (capture.path / "err").string();
-  std::vector<char*> words = {const_cast<char*>(BRISANCE_PROGRAM)};
-  for (const auto& a : arguments) words.push_back(const_cast<char*>(a.c_str()));
-  words.push_back(nullptr);
-  const pid_t child = ::fork();
-  if (child == 0) {
-    ::setenv("OMP_NUM_THREADS", "2", 1);
-    ::setenv("OMP_PROC_BIND", "false", 1);
-    ::setenv("OMP_WAIT_POLICY", "passive", 1);
-    if (!std::freopen(out.c_str(), "w", stdout) || !std::freopen(err.c_str(), "w", stderr))
-      ::_exit(126);
-    ::execv(BRISANCE_PROGRAM, words.data());
-    ::_exit(127);
-  }
-  int code = 0;
-  for (int k = 0; k < 3000 && !fs::exists(file); ++k)
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  std::this_thread::sleep_for(std::chrono::milliseconds(100));
-  ::kill(child, signal);
-  ::waitpid(child, &code, 0);
-  return {WIFEXITED(code) ? WEXITSTATUS(code) : -1, read_file(out), read_file(err)};
+  std::string words;
+  for (const auto& word : arguments) words += in_quotes(word) + " ";
+  return meddle_with_program(words, file, [&](pid_t child) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    ::kill(child, signal);
+  });
 }
 
 std::vector<std::string> columns_of_last_line(const std::string& csv) {

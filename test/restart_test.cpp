@@ -4,6 +4,7 @@
 #include <Teuchos_ParameterList.hpp>
 #include <algorithm>
 #include <map>
+#include <sstream>
 
 #include "drivers/checkpoint.hpp"
 #include "drivers/commands.hpp"
@@ -87,6 +88,22 @@ void expect_same_from_everywhere(const std::string& name, const List& scene) {
   }
 }
 
+/// Of all planes after a step, from the history [J/m]; -1: at the end.
+double decohesion_work(const fs::path& run, std::int64_t step) {
+  std::istringstream lines(read_file(run / "history.csv"));
+  std::string line, entry;
+  std::getline(lines, line);
+  std::istringstream head(line);
+  int column = 0;
+  while (std::getline(head, entry, ',') && entry != "decohesion") ++column;
+  while (std::getline(lines, line)) {
+    std::istringstream row(line);
+    for (int k = 0; k <= column; ++k) std::getline(row, entry, ',');
+    if (std::stoll(line) == step) break;
+  }
+  return std::stod(entry);
+}
+
 class EveryScene : public testing::TestWithParam<std::string> {};
 
 TEST_P(EveryScene, GoesOnAsIfNothingHadHappened) {
@@ -102,6 +119,23 @@ TEST(Restart, IsExactWhileABombBurnsSlow) {
        {},
        {"time/end=1.2e-5", "output/interval=2e-6", "checkpoint/steps=8", "checkpoint/keep=1000"}});
   expect_same_from_everywhere("burning", scene);
+}
+
+TEST(Restart, IsExactWhileConcreteComesApart) {
+  const List scene = load_scene(
+      {input("concrete_impact"),
+       {},
+       {"time/end=1e-4", "output/interval=2e-5", "output/history interval=1e-6",
+        "checkpoint/steps=10", "checkpoint/keep=1000"}});
+  const Folder folder("fracture");
+  run_into(folder.path, scene);
+  const auto checkpoints = checkpoints_in(folder.path);
+  ASSERT_GE(checkpoints.size(), 2u);
+  const auto step = read_checkpoint(checkpoints[checkpoints.size() - 2]).head.step;
+  const double then = decohesion_work(folder.path, step);
+  EXPECT_GT(then, 0);
+  EXPECT_GT(decohesion_work(folder.path, -1), then);
+  expect_same_from_everywhere("fracture", scene);
 }
 
 TEST(Restart, IsExactAfterParticlesHaveBeenSplit) {
