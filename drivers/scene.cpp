@@ -16,6 +16,7 @@
 #include "drivers/shapes.hpp"
 #include "drivers/sleep.hpp"
 #include "drivers/springs.hpp"
+#include "drivers/tradeoff_scene.hpp"
 #include "drivers/watch.hpp"
 #include "materials/registry.hpp"
 
@@ -171,6 +172,8 @@ void add_checks(List& valid, const List& given, const List& materials, const Lis
   const auto measures = special_measures(given, exact, dim);
   if (measures.empty()) return;
   for (const auto& measure : measures) add_range(checks, measure);
+  declare_optional_list(valid, "tradeoff", "what the command 'tradeoff' runs and measures") =
+      valid_tradeoff(list_names(checks));
 
   List& convergence =
       declare_optional_list(valid, "convergence", "runs on several grids, by 'verify'");
