@@ -15,7 +15,7 @@ std::pair<double, std::string> number_with_unit(const std::string& text, const s
   const char* const last = text.data() + text.size();
   const auto [end, error] = std::from_chars(text.data(), last, value);
   if (error != std::errc() || !(value > 0) || !std::isfinite(value))
-    throw InputError("", "", "'" + one_line(text) + "'", rule, option);
+    throw InputError("", "", "", "'" + one_line(text) + "' " + rule, option);
   return {value, std::string(end, last)};
 }
 
@@ -24,7 +24,7 @@ double with_unit(const std::string& text, const std::string& option, const std::
   const auto [value, unit] = number_with_unit(text, option, rule);
   for (const auto& [name, factor] : units)
     if (unit == name) return value * factor;
-  throw InputError("", "", "'" + one_line(text) + "'", rule, option);
+  throw InputError("", "", "", "'" + one_line(text) + "' " + rule, option);
 }
 
 std::optional<Choice> best(std::vector<Choice> all, const Wish& wish) {

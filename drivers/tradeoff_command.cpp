@@ -152,6 +152,7 @@ int carry_out(const TradeoffRequest& request, const Wish& wish) {
     renew(points, measure(scene, folder, request.quick, request.jobs));
     write_points(csv, points);
     std::printf("%s", front_table(points, scene.name()).c_str());
+    std::fflush(stdout);
     more = true;
   }
   if (more) {

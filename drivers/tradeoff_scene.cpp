@@ -108,8 +108,10 @@ bool TradeoffScene::measured() const { return find_list(*scene_, "tradeoff") != 
 
 const List& TradeoffScene::tradeoff() const { return scene_->sublist("tradeoff"); }
 
-List TradeoffScene::with_preset(const std::string& preset) const {
-  return load_scene({file_, preset, {}});
+const List& TradeoffScene::with_preset(const std::string& preset) const {
+  auto& scene = with_[preset];
+  if (!scene) scene = std::make_shared<List>(load_scene({file_, preset, {}}));
+  return *scene;
 }
 
 std::string TradeoffScene::own_particles() const {
@@ -121,7 +123,7 @@ std::string TradeoffScene::own_particles() const {
 }
 
 Setting TradeoffScene::preset_alone(const std::string& preset, double resolution) const {
-  const List scene = with_preset(preset);
+  const List& scene = with_preset(preset);
   const List& scheme = scene.sublist("scheme");
   return {preset, resolution, own_particles(), get<double>(scene.sublist("time"), "CFL"),
           get<std::string>(fluid_ ? scheme : scheme.sublist("solids"), "shape")};
@@ -159,7 +161,7 @@ bool TradeoffScene::allows(double resolution) const {
 }
 
 Names TradeoffScene::assignments(const Setting& setting) const {
-  const List scene = with_preset(setting.preset);
+  const List& scene = with_preset(setting.preset);
   const List &grid = scene.sublist("grid"), &bodies = scene.sublist("bodies");
   Names all;
   if (setting.resolution != 1) {

@@ -1,6 +1,7 @@
 #pragma once
 // What a scene can be run with, from cheap to accurate, and how wrong a run of it is. The scene's
 // list "tradeoff" says both; without one a scene can only be run with a setting that is named.
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -66,12 +67,13 @@ class TradeoffScene {
   double error(const Record& record, const Record* reference) const;
 
  private:
-  List with_preset(const std::string& preset) const;
+  const List& with_preset(const std::string& preset) const;
   std::string own_particles() const;
   const List& tradeoff() const;
 
   std::string file_;
   std::shared_ptr<const List> scene_;
+  mutable std::map<std::string, std::shared_ptr<const List>> with_;  ///< by preset, once asked for
   bool fluid_ = false;
   std::string family_;
 };

@@ -40,10 +40,10 @@ bool is_as_good(const TradeoffPoint& a, const TradeoffPoint& b) {
 
 std::string line_of(const TradeoffPoint& p) {
   char text[200];
-  std::snprintf(text, sizeof text, "%9.3g %12.3g %11.2f   %-9s %6g   %-9s %4g  %-9s%s\n",
+  std::snprintf(text, sizeof text, "%9.3g %12.3g %11.2f   %-9s %6g   %-9s %4g  %s%s\n",
                 100 * p.error, p.cost, p.excess, p.setting.preset.c_str(), p.setting.resolution,
                 p.setting.particles.c_str(), p.setting.cfl, p.setting.shape.c_str(),
-                p.preset_alone ? "  preset" : "");
+                p.preset_alone ? "  (preset)" : "");
   return text;
 }
 
