@@ -72,8 +72,7 @@ void register_laws() {
   steel.set("Young's modulus", 200e9).set("Poisson's ratio", 0.29).set("density", 7850.);
   add_solid<Elastic>(steel, 1e-4);
   add_solid<VonMises>(List(steel).set("yield stress", 500e6), 1e-3);
-  List rock = steel;
-  add_solid<DruckerPrager>(rock.set("compressive strength", 40e6).set("tensile strength", 4e6), 1e-4);
+  add_solid<DruckerPrager>(List(steel).set("compressive strength", 40e6), 1e-4);
   add_solid<Concrete>(List(), 2e-5);
 }
 
