@@ -8,6 +8,9 @@
 namespace brisance {
 namespace {
 
+/// Runs that are cheaper tell of the program's start more than of steps. [s]
+constexpr double least_cost = 0.1;
+
 /// A number above 0 and what stands behind it.
 std::pair<double, std::string> number_with_unit(const std::string& text, const std::string& option,
                                                 const std::string& rule) {
@@ -84,11 +87,17 @@ FamilyFit::FamilyFit(const TradeoffPoints& points, const std::string& family,
   };
   std::stable_sort(entries_.begin(), entries_.end(),
                    [&](const Entry& a, const Entry& b) { return sum(a) < sum(b); });
+  const auto slow = [](const Entry& e) {
+    return *std::min_element(e.costs.begin(), e.costs.end()) >= least_cost;
+  };
+  const auto first = std::find_if(entries_.begin(), entries_.end(), slow);
+  probe_ = static_cast<std::size_t>(first - entries_.begin());
+  if (first == entries_.end() && probe_ > 0) --probe_;
 }
 
 std::optional<Setting> FamilyFit::probe() const {
   if (entries_.empty()) return {};
-  return entries_.front().setting;
+  return entries_[probe_].setting;
 }
 
 std::optional<Choice> FamilyFit::choose(double cost, const Wish& wish) const {
@@ -96,7 +105,7 @@ std::optional<Choice> FamilyFit::choose(double cost, const Wish& wish) const {
   for (const auto& entry : entries_) {
     double ratio = 0;
     for (std::size_t k = 0; k < entry.costs.size(); ++k)
-      ratio = std::max(ratio, entry.costs[k] / entries_.front().costs[k]);
+      ratio = std::max(ratio, entry.costs[k] / entries_[probe_].costs[k]);
     const auto [low, high] = std::minmax_element(entry.errors.begin(), entry.errors.end());
     all.push_back({entry.setting, *high, *low, cost * ratio});
   }

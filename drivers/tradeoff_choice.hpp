@@ -32,8 +32,8 @@ std::optional<Choice> choose(const TradeoffPoints& points, const Wish& wish);
 
 /// From the scenes of a family, for another one of it, in which `allows` tells the resolutions that
 /// can be. The error is the largest that a setting has had in a scene of the family; the cost is
-/// that of the cheapest setting in the scene itself, times the largest ratio of both costs in the
-/// family.
+/// that of one cheap setting, the probe, in the scene itself, times the largest ratio of both costs
+/// in the family.
 class FamilyFit {
  public:
   FamilyFit(const TradeoffPoints& points, const std::string& family, const TradeoffScene& scene);
@@ -51,6 +51,7 @@ class FamilyFit {
   };
   std::vector<std::string> scenes_;
   std::vector<Entry> entries_;  ///< measured in all scenes, the cheapest first
+  std::size_t probe_ = 0;
 };
 
 }  // namespace brisance

@@ -20,11 +20,15 @@ class Result:
     """The rate of a benchmark: the first of RATES that it counts, else runs a second."""
     unit: str
     rates: list
-    bandwidth: float  # GB/s; nan where it is not counted
+    bandwidths: list  # GB/s; empty where it is not counted
 
     @property
     def rate(self):
         return statistics.median(self.rates)
+
+    @property
+    def bandwidth(self):
+        return statistics.median(self.bandwidths) if self.bandwidths else float("nan")
 
     @property
     def noise(self):
@@ -45,10 +49,11 @@ def results_of(document):
         if entry.get("run_type") == "aggregate" or entry.get("error_occurred"):
             continue
         unit, rate = _rate(entry)
-        name = re.sub(r"/real_time$", "", entry["run_name"] if "run_name" in entry else entry["name"])
-        result = found.setdefault(name, Result(unit, [], float("nan")))
+        name = re.sub(r"/real_time$", "", entry["run_name"])
+        result = found.setdefault(name, Result(unit, [], []))
         result.rates.append(rate)
-        result.bandwidth = max(entry.get("GB/s", float("nan")), result.bandwidth, key=lambda x: x == x and x)
+        if "GB/s" in entry:
+            result.bandwidths.append(entry["GB/s"])
     return found
 
 

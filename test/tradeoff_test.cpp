@@ -223,6 +223,16 @@ TEST(TradeoffChoice, ForAnotherSceneTakesTheWorstOfItsFamily) {
   EXPECT_FALSE(FamilyFit(points, "solid on a line", scene).probe());
 }
 
+TEST(TradeoffChoice, ProbesWithARunThatIsMoreThanTheStartOfTheProgram) {
+  const TradeoffPoints points = {point("paper", 1, 0.05, 0.01, "a"), point("fast", 1, 0.02, 0.2, "a"),
+                                 point("balanced", 1, 0.01, 0.6, "a")};
+  const TradeoffScene scene(input("toro3"));
+  const FamilyFit fit(points, scene.family(), scene);
+  EXPECT_EQ(fit.probe()->preset, "fast");
+  EXPECT_DOUBLE_EQ(fit.choose(1, {0.01, {}})->cost, 3);
+  EXPECT_EQ(FamilyFit({points[0]}, scene.family(), scene).probe()->preset, "paper");
+}
+
 TEST(TradeoffChoice, ReadsErrorsAndTimes) {
   EXPECT_DOUBLE_EQ(error_from("2%"), 0.02);
   EXPECT_DOUBLE_EQ(error_from("0.02"), 0.02);
