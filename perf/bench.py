@@ -19,8 +19,13 @@ def positive(convert):
     return read
 
 
+class Options(argparse.ArgumentParser):
+    def error(self, message):
+        self.exit(2, f"brisance: bench: {message}\n")
+
+
 def main():
-    parser = argparse.ArgumentParser(prog="brisance bench", description=__doc__)
+    parser = Options(prog="brisance bench", description=__doc__)
     what = parser.add_mutually_exclusive_group(required=True)
     what.add_argument("--scaling", action="store_true", help="measure on 1, 2, 4, ... threads")
     what.add_argument("--compare", nargs=2, metavar=("A.json", "B.json"),

@@ -31,7 +31,7 @@ const Kernel kernels[] = {
      [](Stages& in, State<G>& s) {
        s.groups[0]->transfer->gather_gradient(in, s.groups[0]->particles, s.grid.before);
      }},
-    {"law, half a step", 9, 0,
+    {"material half a step", 9, 0,
      [](Stages& in, State<G>& s) { s.groups[0]->half_step(in, s.grid, dt); }},
     {"force", 4, 0,
      [](Stages& in, State<G>& s) {
@@ -43,7 +43,7 @@ const Kernel kernels[] = {
        s.groups[0]->transfer->finish_midpoint(in, s.groups[0]->particles, s.grid, Stress::pressure,
                                               0, 0.97, dt);
      }},
-    {"law, whole step", 9, 0,
+    {"material whole step", 9, 0,
      [](Stages& in, State<G>& s) { s.groups[0]->finish(in, s.grid, dt); }},
     {"bins", 2.5, 0,
      [](Stages& in, State<G>& s) { s.groups[0]->transfer->find_bins(in, s.groups[0]->particles); }}};

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
@@ -89,8 +90,11 @@ TEST_F(Bench, RefusesWhatIsNoResultInOneLine) {
     EXPECT_EQ(ran.status, 1);
     EXPECT_THAT(ran.err.substr(ran.err.rfind("brisance: ")), StartsWith("brisance: "));
   }
-  EXPECT_EQ(bench("").status, 2);
-  EXPECT_EQ(bench("--scaling --threads 0").status, 2);
+  for (const char* words : {"", "--scaling --threads 0"}) {
+    const Ran ran = bench(words);
+    EXPECT_EQ(ran.status, 2);
+    EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
+  }
 }
 
 // Its rate grows with the square root of the threads, that of the weak box with the threads.
