@@ -35,6 +35,7 @@ Record read_record(const fs::path& folder) {
     const json summary = json::parse(read_file(folder / "summary.json"));
     record.status = summary.at("status");
     record.wall_seconds = summary.at("wall_seconds");
+    record.cpu_seconds = summary.at("cpu_seconds");
     if (record.status != "finished") return record;
     for (const auto& check : summary.at("checks"))
       ++(check.at("verdict") == "reached" ? record.passed : record.failed);

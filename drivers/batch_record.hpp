@@ -10,7 +10,7 @@ namespace brisance {
 struct Record {
   std::string status = "not run";  ///< or "finished", "interrupted", "failed"
   int passed = 0, failed = 0;      ///< checks
-  double wall_seconds = 0;
+  double wall_seconds = 0, cpu_seconds = 0;
   std::map<std::string, double> measures;  ///< of a finished run, those with a value
   std::string remark;                      ///< why it failed
 

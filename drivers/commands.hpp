@@ -67,6 +67,18 @@ struct BatchRequest {
 };
 int batch_command(const BatchRequest& request);
 
+/// Error against cost of scenes at many settings, see tradeoff_scene.hpp; or the setting to take.
+struct TradeoffRequest {
+  std::vector<std::string> scenes;
+  bool all = false;          ///< every scene of inputs/ that has a list "tradeoff", in place of these
+  std::string folder;        ///< empty: out/tradeoff
+  bool quick = false;        ///< the presets alone
+  int jobs = 1;              ///< runs at once, of a thread each
+  std::string target_error;  ///< "2%"; empty: none
+  std::string budget;        ///< "60s"; empty: none
+};
+int tradeoff_command(const TradeoffRequest& request);
+
 /// Tells how two runs differ, see compare.hpp; 1 if they do, by more than the tolerance.
 int compare_command(const std::string& first, const std::string& second, double tolerance);
 

@@ -117,6 +117,24 @@ int main(int argc, char** argv) {
       ->allow_extra_args(false);
   batch->add_flag("--list", many.list, "tell which runs there are to do, and run nothing");
 
+  TradeoffRequest trade;
+  CLI::App* tradeoff = app.add_subcommand(
+      "tradeoff", "measure error against cost of scenes, or tell the setting to take");
+  CLI::Option* trade_scenes = tradeoff->add_option("SCENE", trade.scenes, "scene files");
+  tradeoff->add_flag("--all", trade.all, "all scenes of inputs/ that have a list 'tradeoff'")
+      ->excludes(trade_scenes);
+  tradeoff->add_option("--out", trade.folder,
+                       "folder for runs, table and picture (default: out/tradeoff)");
+  tradeoff->add_flag("--quick", trade.quick, "only the presets, on the two coarsest grids");
+  tradeoff->add_option("--jobs", trade.jobs, "runs at once, of a thread each (default: 1)")
+      ->check(CLI::Range(1, 4096));
+  CLI::Option* trade_error = tradeoff->add_option(
+      "--target-error", trade.target_error, "tell the cheapest setting of this error: 2%");
+  tradeoff
+      ->add_option("--budget", trade.budget,
+                   "tell the best setting for so much time of one core: 60s, 5min, 2h")
+      ->excludes(trade_error);
+
   std::string first, second;
   double tolerance = 0;
   CLI::App* compare = app.add_subcommand(
@@ -146,6 +164,7 @@ int main(int argc, char** argv) {
     if (*watch) status = watch_command(folder, once);
     if (*reproduce_) status = reproduce_command(paper);
     if (*batch) status = batch_command(many);
+    if (*tradeoff) status = tradeoff_command(trade);
     if (*compare) status = compare_command(first, second, tolerance);
   } catch (const InputError& error) {
     std::fprintf(stderr, "brisance: %s\n", error.what());

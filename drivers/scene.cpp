@@ -3,12 +3,11 @@
 #include <Teuchos_ParameterList.hpp>
 #include <algorithm>
 #include <array>
-#include <limits>
 
 #include "core/transfer.hpp"
 #include "drivers/checkpoint.hpp"
+#include "drivers/checks_schema.hpp"
 #include "drivers/exact.hpp"
-#include "drivers/ledger.hpp"
 #include "drivers/lighting.hpp"
 #include "drivers/output_choice.hpp"
 #include "drivers/plausible.hpp"
@@ -145,46 +144,6 @@ List valid_body(const List& given, const List& materials, int dim) {
   return valid;
 }
 
-void add_range(List& list, const MeasureDoc& measure) {
-  List& range = declare_optional_list(list, measure.name, measure.doc);
-  const std::string unit = " [" + (measure.unit.empty() ? std::string("-") : measure.unit) + "]";
-  declare(range, "least", std::numeric_limits<double>::lowest(), anything(),
-          "least value that is right" + unit);
-  declare(range, "most", std::numeric_limits<double>::max(), anything(),
-          "greatest value that is right" + unit);
-}
-
-/// What of a scene is measured beyond its balances.
-std::vector<MeasureDoc> special_measures(const List& given, const List* exact, int dim) {
-  std::vector<MeasureDoc> docs = watch_docs(given);
-  if (!exact) return docs;
-  const auto solution = make_exact(check(*exact, valid_exact(*exact)));
-  if (solution->least_dim() > dim) refuse(*exact, "solution", "needs a grid of more directions");
-  for (const auto& measure : solution->measure_docs()) docs.push_back(measure);
-  return docs;
-}
-
-void add_checks(List& valid, const List& given, const List& materials, const List* exact, int dim) {
-  List& checks =
-      declare_optional_list(valid, "checks", "what the run must reach; told by 'verify'");
-  for (const auto& measure : balance_measures(list_names(materials), any(materials, false)))
-    add_range(checks, measure);
-  const auto measures = special_measures(given, exact, dim);
-  if (measures.empty()) return;
-  for (const auto& measure : measures) add_range(checks, measure);
-
-  List& convergence =
-      declare_optional_list(valid, "convergence", "runs on several grids, by 'verify'");
-  declare_required<std::vector<int>>(convergence, "cells", at_least(2),
-                                     "cells along x, one run each [-]");
-  List& orders = declare_optional_list(convergence, "order", "order of convergence of measures");
-  List& every = declare_optional_list(convergence, "every", "what each of the runs must reach");
-  for (const auto& measure : measures) {
-    add_range(orders, measure);
-    add_range(every, measure);
-  }
-}
-
 void check_pairs(const List& scene, int dim) {
   const List& ends = scene.sublist("boundaries");
   for (int d = 0; d < dim; ++d) {
@@ -284,7 +243,7 @@ List valid_scene(const List& given) {
       declare_optional_list(valid, "exact", "the known answer that the run is measured against");
   if (exact) exact_list = valid_exact(*exact);
   declare_watches(valid, given, list_names(given_materials), dim);
-  add_checks(valid, given, given_materials, exact, dim);
+  declare_checks(valid, given, list_names(given_materials), any(given_materials, false), dim);
   return valid;
 }
 

@@ -6,16 +6,15 @@
 #include <cmath>
 #include <limits>
 
-#include "core/types.hpp"
 #include "drivers/scene.hpp"
-#include "drivers/simulation.hpp"
+#include "perf/benchmarks.hpp"
+#include "perf/stepping.hpp"
 
+namespace brisance::perf {
 namespace {
 
-using namespace brisance;
-
-/// A periodic box of cells with 2 x 2 particles each, all of them moving at a tenth of the sound
-/// speed or so.
+/// A periodic box of cells with 2 x 2 particles each: a vortex in gas that drifts at 0.3 and 0.2 of
+/// the sound speed, so that particles change their cells as those of real flows do.
 List box(const std::string& preset, int cells) {
   List scene("box");
   scene.set("geometry", "plane strain").set("preset", preset);
@@ -30,35 +29,27 @@ List box(const std::string& preset, int cells) {
   List& vortex = scene.sublist("exact");
   vortex.set("solution", "vortex").set("gamma", 1.4).set("box length", 1.0).set("radius", 0.1);
   vortex.set("centre", Teuchos::Array<double>(std::vector<double>{0.5, 0.5}));
+  const double sound = std::sqrt(1.4);  // of density and pressure 1
+  vortex.set("velocity", Teuchos::Array<double>(std::vector<double>{0.3 * sound, 0.2 * sound}));
   return complete_scene(scene);
 }
 
-void step(benchmark::State& state, const std::string& preset) {
-  const List scene = box(preset, static_cast<int>(state.range(0)));
-  const auto exact = make_exact(scene.sublist("exact"));
-  const auto simulation = make_simulation(scene, exact.get());
-  double particle_steps = 0;
-  for ([[maybe_unused]] auto once : state) {
-    simulation->advance(std::numeric_limits<double>::max());
-    particle_steps += static_cast<double>(simulation->particle_count());
-  }
-  state.counters["particles"] = static_cast<double>(simulation->particle_count());
-  state.counters["particle-steps/s"] =
-      benchmark::Counter(particle_steps, benchmark::Counter::kIsRate);
+void add(const std::string& name, const std::string& preset, int cells) {
+  benchmark::RegisterBenchmark(
+      (name + "/" + preset + "/" + std::to_string(cells)).c_str(),
+      [=](benchmark::State& state) { steps_of(state, box(preset, cells)); })
+      ->Unit(benchmark::kMillisecond)
+      ->UseRealTime();
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  brisance::initialize_kokkos(-1);
-  for (const char* preset : {"paper", "fast", "balanced", "accurate"})
-    benchmark::RegisterBenchmark((std::string("step/plane strain/") + preset).c_str(), step,
-                                 std::string(preset))
-        ->Arg(50)
-        ->Arg(500)
-        ->Unit(benchmark::kMillisecond)
-        ->UseRealTime();
-  benchmark::Initialize(&argc, argv);
-  benchmark::RunSpecifiedBenchmarks();
-  Kokkos::finalize();
+void register_steps(int threads) {
+  for (const char* preset : {"paper", "fast", "balanced", "accurate"}) {
+    for (const int cells : {50, 500}) add("step/plane strain", preset, cells);
+    // As many cells for each thread, whatever their number.
+    add("weak/plane strain", preset, static_cast<int>(std::lround(200 * std::sqrt(threads))));
+  }
 }
+
+}  // namespace brisance::perf
