@@ -1,5 +1,5 @@
-// A number that nobody can mean, far too large or too small, in any place of a scene: it is refused, or the run
-// starts all the same.
+// A number that nobody can mean, far too large or too small, in any place of a scene: it is
+// refused, or the run starts all the same.
 #include <gtest/gtest.h>
 
 #include <Teuchos_ParameterList.hpp>

@@ -1,5 +1,5 @@
-// Disks that are full or read-only, and folders that are gone: the newest good state is kept and used, what is
-// lost is said, and nothing that was good is destroyed.
+// Disks that are full or read-only, and folders that are gone: the newest good state is kept and
+// used, what is lost is said, and nothing that was good is destroyed.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -23,12 +23,11 @@ using test::run_script_alone;
 using testing::HasSubstr;
 
 /// Half of a run, by which something can go wrong, in a folder whose name the tests know.
-const std::string few = " --set output/grid=false --set output/particles=false "
-                        "--set 'output/history interval=0' ";
+const std::string few =
+    " --set output/grid=false --set output/particles=false "
+    "--set 'output/history interval=0' ";
 
-std::string first_half(const fs::path& out) {
-  return test::tube(out) + few + "--set time/end=0.1";
-}
+std::string first_half(const fs::path& out) { return test::tube(out) + few + "--set time/end=0.1"; }
 std::string second_half(const fs::path& out) {
   return "restart " + in_quotes(out) + " --threads 1 --until 0.2";
 }
@@ -75,19 +74,40 @@ TEST_F(DiskFaults, AFullDiskLosesNoStateThatWasGood) {
                     again = "$brisance restart " + r + " --threads 1 --until 0.2 ";
   const Ran ran = run_script_alone(
       "set -e\n"
-      "mkdir " + disk + "; mount -t tmpfs -o size=4m none " + disk + "; cp -r " + in_quotes(run) +
-      " " + r + "; cp -r " + r + " " + disk + "/before\n"
-      "free=$(df -Pk " + disk + " | awk 'NR == 2 { print $4 }')\n"
-      "head -c $(((free - 200) * 1024)) /dev/zero >" + disk + "/fill\n"
-      "status=0; " + again + "|| status=$?; echo status $status\n"
-      "diff -r " + r + "/checkpoints " + disk + "/before/checkpoints && echo kept\n"
-      "cp " + r + "/input.xml " + disk + "/before\n"
-      "cat /dev/zero >>" + disk + "/fill 2>/dev/null || true\n"
-      "status=0; " + again + "2>" + in_quotes(folder.path / "full") + " || status=$?\n"
+      "mkdir " +
+      disk + "; mount -t tmpfs -o size=4m none " + disk + "; cp -r " + in_quotes(run) + " " + r +
+      "; cp -r " + r + " " + disk +
+      "/before\n"
+      "free=$(df -Pk " +
+      disk +
+      " | awk 'NR == 2 { print $4 }')\n"
+      "head -c $(((free - 200) * 1024)) /dev/zero >" +
+      disk +
+      "/fill\n"
+      "status=0; " +
+      again +
+      "|| status=$?; echo status $status\n"
+      "diff -r " +
+      r + "/checkpoints " + disk +
+      "/before/checkpoints && echo kept\n"
+      "cp " +
+      r + "/input.xml " + disk +
+      "/before\n"
+      "cat /dev/zero >>" +
+      disk +
+      "/fill 2>/dev/null || true\n"
+      "status=0; " +
+      again + "2>" + in_quotes(folder.path / "full") +
+      " || status=$?\n"
       "echo full $status\n"
-      "diff -r " + r + "/checkpoints " + disk + "/before/checkpoints && echo kept again\n"
-      "diff " + r + "/input.xml " + disk + "/before/input.xml && echo input kept\n"
-      "rm -r " + in_quotes(run) + "; rm " + disk + "/fill; cp -r " + r + " " + in_quotes(run) + "\n");
+      "diff -r " +
+      r + "/checkpoints " + disk +
+      "/before/checkpoints && echo kept again\n"
+      "diff " +
+      r + "/input.xml " + disk +
+      "/before/input.xml && echo input kept\n"
+      "rm -r " +
+      in_quotes(run) + "; rm " + disk + "/fill; cp -r " + r + " " + in_quotes(run) + "\n");
   EXPECT_EQ(ran.status, 0) << ran.err;
   EXPECT_THAT(ran.out, HasSubstr("status 0\nkept\n"));
   EXPECT_THAT(ran.err, HasSubstr("no checkpoint: cannot write '"));
@@ -115,8 +135,8 @@ TEST_F(DiskFaults, AReadOnlyFolderStaysAsItIs) {
   if (!why.empty()) GTEST_SKIP() << "root may write in any folder but a mounted one: " << why;
   const auto before = contents(run);
   const auto read_only = [](const fs::path& path) {
-    return "mount --bind " + in_quotes(path) + " " + in_quotes(path) + " && mount -o remount,bind,ro " +
-           in_quotes(path) + " && exec $brisance ";
+    return "mount --bind " + in_quotes(path) + " " + in_quotes(path) +
+           " && mount -o remount,bind,ro " + in_quotes(path) + " && exec $brisance ";
   };
   const Ran refused = run_script_alone(read_only(run) + second_half(run));
   EXPECT_EQ(refused.status, 1);
@@ -134,9 +154,8 @@ TEST_F(DiskFaults, AReadOnlyFolderStaysAsItIs) {
 
 TEST_F(DiskFaults, AFolderThatIsGoneIsMadeAgain) {
   const fs::path out = folder.path / "out", gone = folder.path / "gone";
-  const Ran ran = test::meddle_with_program(first_half(out), out / "checkpoints", [&](pid_t) {
-    fs::rename(out / "checkpoints", gone);
-  });
+  const Ran ran = test::meddle_with_program(first_half(out), out / "checkpoints",
+                                            [&](pid_t) { fs::rename(out / "checkpoints", gone); });
   EXPECT_EQ(ran.status, 0) << ran.err;
   EXPECT_FALSE(test::checkpoints_in(out).empty());
   fs::remove_all(out / "checkpoints");

@@ -1,7 +1,8 @@
-// Bytes as a checkpoint. Whole files of any content are read or refused. Of a small state of any content the file
-// is read as it was written, refused with any byte changed, and read or refused where it is sealed, but its
-// attributes and tables are not those of a checkpoint. Under a seal that fits HDF5's own tables are not changed:
-// the library is not made for that, which is why there is a seal.
+// Bytes as a checkpoint. Whole files of any content are read or refused. Of a small state of any
+// content the file is read as it was written, refused with any byte changed, and read or refused
+// where it is sealed, but its attributes and tables are not those of a checkpoint. Under a seal
+// that fits HDF5's own tables are not changed: the library is not made for that, which is why there
+// is a seal.
 #include <fuzzer/FuzzedDataProvider.h>
 
 #include <algorithm>
@@ -116,7 +117,8 @@ void write_something(FuzzedDataProvider& in, hid_t file, const std::string& name
 
 void read_another_file(FuzzedDataProvider& in) {
   const hdf5::Handle file = hdf5::new_file();
-  for (const char* name : {"format", "program", "commit", "scene", "title", "step", "time", "threads"})
+  for (const char* name :
+       {"format", "program", "commit", "scene", "title", "step", "time", "threads"})
     if (in.ConsumeBool())
       put_something(in, file, name);
     else if (std::strcmp(name, "time") == 0)
