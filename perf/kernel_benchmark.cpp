@@ -71,7 +71,7 @@ void run(benchmark::State& state, const TransferChoice& choice, const Kernel& ke
   for ([[maybe_unused]] auto once : state) {
     Stages stages(gas.grid.lattice);
     kernel.add(stages, gas);
-    stages.run(kernel.name);
+    stages.run();
     Kokkos::fence();
   }
   const bool affine = gas.groups[0]->transfer->affine();
