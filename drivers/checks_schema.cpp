@@ -36,8 +36,7 @@ void declare_checks(List& valid, const List& given, const std::vector<std::strin
                     bool solids, int dim) {
   List& checks =
       declare_optional_list(valid, "checks", "what the run must reach; told by 'verify'");
-  for (const auto& measure : balance_measures(materials, solids))
-    add_range(checks, measure);
+  for (const auto& measure : balance_measures(materials, solids)) add_range(checks, measure);
   const auto measures = special_measures(given, find_list(given, "exact"), dim);
   if (measures.empty()) return;
   for (const auto& measure : measures) add_range(checks, measure);

@@ -70,7 +70,7 @@ int batch_command(const BatchRequest& request);
 /// Error against cost of scenes at many settings, see tradeoff_scene.hpp; or the setting to take.
 struct TradeoffRequest {
   std::vector<std::string> scenes;
-  bool all = false;          ///< every scene of inputs/ that has a list "tradeoff", in place of these
+  bool all = false;          ///< in their place: all of inputs/ that have a list "tradeoff"
   std::string folder;        ///< empty: out/tradeoff
   bool quick = false;        ///< the presets alone
   int jobs = 1;              ///< runs at once, of a thread each

@@ -34,7 +34,9 @@ std::optional<Choice> best(std::vector<Choice> all, const Wish& wish) {
   if (all.empty()) return {};
   const auto cheaper = [](const Choice& a, const Choice& b) { return a.cost < b.cost; };
   const auto better = [](const Choice& a, const Choice& b) { return a.error < b.error; };
-  const auto first = [&](const auto& less) { return *std::min_element(all.begin(), all.end(), less); };
+  const auto first = [&](const auto& less) {
+    return *std::min_element(all.begin(), all.end(), less);
+  };
   Choice nearest = wish.error ? first(better) : first(cheaper);
   nearest.fulfils = false;
   const auto too_much = [&](const Choice& c) {
@@ -67,8 +69,7 @@ std::optional<Choice> choose(const TradeoffPoints& points, const Wish& wish) {
 FamilyFit::FamilyFit(const TradeoffPoints& points, const std::string& family,
                      const TradeoffScene& scene) {
   for (const auto& point : points) {
-    const bool known =
-        std::find(scenes_.begin(), scenes_.end(), point.scene) != scenes_.end();
+    const bool known = std::find(scenes_.begin(), scenes_.end(), point.scene) != scenes_.end();
     if (point.family == family && !known) scenes_.push_back(point.scene);
   }
   for (const auto& point : points) {

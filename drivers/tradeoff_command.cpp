@@ -43,7 +43,8 @@ TradeoffPoints measure(const TradeoffScene& scene, const fs::path& folder, bool 
   for (std::size_t k = 0; k < settings.size() - compared; ++k)
     points.push_back({scene.name(), scene.family(), settings[k],
                       settings[k] == scene.preset_alone(settings[k].preset, settings[k].resolution),
-                      records[k].status, scene.error(records[k], compared ? &records.back() : nullptr),
+                      records[k].status,
+                      scene.error(records[k], compared ? &records.back() : nullptr),
                       records[k].cpu_seconds, 0, version::commit});
   return points;
 }
@@ -115,10 +116,10 @@ bool choose_for(const TradeoffScene& scene, const TradeoffPoints& here, const Wi
   const TradeoffPoints shipped = shipped_points(), same = of_scene(shipped, scene.name());
   const FamilyFit far(same.empty() ? shipped : same, scene.family(), scene);
   if (far.probe()) return choose_by_fit(scene, far, wish, folder);
-  throw InputError("", "", "",
-                   "has no list 'tradeoff', and no scene like it (" + scene.family() +
-                       ") has been measured",
-                   scene.file());
+  throw InputError(
+      "", "", "",
+      "has no list 'tradeoff', and no scene like it (" + scene.family() + ") has been measured",
+      scene.file());
 }
 
 std::vector<std::string> with_list_in(const fs::path& inputs) {

@@ -87,7 +87,8 @@ List valid_tradeoff(const Names& measures) {
 }
 
 TradeoffScene::TradeoffScene(const std::string& file)
-    : file_(file), scene_(std::make_shared<List>(load_scene({file, {}, {}}))),
+    : file_(file),
+      scene_(std::make_shared<List>(load_scene({file, {}, {}}))),
       family_(family_of(*scene_)) {
   fluid_ = family_.rfind("solid ", 0) != 0;
   if (!measured()) return;
@@ -170,8 +171,7 @@ Names TradeoffScene::assignments(const Setting& setting) const {
     auto cells = get<std::vector<int>>(grid, "cells");
     for (int& n : cells) n = static_cast<int>(std::lround(refined(n, setting.resolution)));
     all.push_back("grid/cells=" + text_of(cells));
-    all.push_back("grid/cell size=" +
-                  text_of(get<double>(grid, "cell size") / setting.resolution));
+    all.push_back("grid/cell size=" + text_of(get<double>(grid, "cell size") / setting.resolution));
   }
   if (setting.particles != "own" && setting.particles != own_particles())
     for (const auto& name : list_names(bodies))

@@ -15,8 +15,9 @@ namespace brisance {
 /// What error and cost depend on, in words that mean the same in every scene.
 struct Setting {
   std::string preset;
-  double resolution = 1;        ///< cells along each direction, over those of the scene
-  std::string particles = "own";  ///< per cell and direction, in all bodies; or as the scene has them
+  double resolution = 1;  ///< cells along each direction, over those of the scene
+  std::string particles =
+      "own";  ///< per cell and direction, in all bodies; or as the scene has them
   double cfl = 0;
   std::string shape;  ///< of fluids; of solids, where there is no fluid
 

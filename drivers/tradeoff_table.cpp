@@ -89,8 +89,7 @@ TradeoffPoints read_points(const std::filesystem::path& csv) {
     const auto value = [&](std::size_t column) {
       const std::string& cell = cells[column];
       double result = none;
-      const auto [end, error] =
-          std::from_chars(cell.data(), cell.data() + cell.size(), result);
+      const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), result);
       if (!cell.empty() && (error != std::errc() || end != cell.data() + cell.size()))
         refuse_line("column " + std::to_string(column + 1) + " must be a number");
       return result;
@@ -114,9 +113,12 @@ std::string front_table(const TradeoffPoints& points, const std::string& scene) 
   for (const auto& point : points) {
     if (point.scene != scene) continue;
     ++runs;
-    if (!point.valid()) ++failed;
-    else if (point.excess <= 1) front.push_back(point);
-    else if (point.preset_alone) presets.push_back(point);
+    if (!point.valid())
+      ++failed;
+    else if (point.excess <= 1)
+      front.push_back(point);
+    else if (point.preset_alone)
+      presets.push_back(point);
   }
   std::string text = scene + ": " + std::to_string(runs) + " settings";
   if (failed > 0) text += ", " + std::to_string(failed) + " of them without a result";

@@ -16,8 +16,8 @@ struct TradeoffPoint {
   std::string status;         ///< as that of a Record
   double error = 0;           ///< [-]; NaN where the run has none
   double cost = 0;            ///< of one core [s]
-  double excess = 0;          ///< cost over that of the cheapest as good as this one: 1 on the front
-  std::string commit;         ///< of the program
+  double excess = 0;   ///< cost over that of the cheapest as good as this one: 1 on the front
+  std::string commit;  ///< of the program
 
   bool valid() const { return error >= 0; }
 };

@@ -34,7 +34,7 @@ def main():
     parser.add_argument("--out", default="out/bench", help="folder of --scaling (default: out/bench)")
     parser.add_argument("--threads", type=positive(int), default=len(os.sched_getaffinity(0)),
                         help="the most of --scaling (default: all)")
-    parser.add_argument("--filter", default=PATTERN, help="names of the benchmarks of --scaling, as a regular expression")
+    parser.add_argument("--filter", default=PATTERN, help="names of the benchmarks of --scaling: a regular expression")
     parser.add_argument("--seconds", type=positive(float), default=0.2, help="for each repetition at least")
     given = parser.parse_args()
     try:

@@ -45,8 +45,9 @@ const Kernel kernels[] = {
      }},
     {"material whole step", 9, 0,
      [](Stages& in, State<G>& s) { s.groups[0]->finish(in, s.grid, dt); }},
-    {"bins", 2.5, 0,
-     [](Stages& in, State<G>& s) { s.groups[0]->transfer->find_bins(in, s.groups[0]->particles); }}};
+    {"bins", 2.5, 0, [](Stages& in, State<G>& s) {
+       s.groups[0]->transfer->find_bins(in, s.groups[0]->particles);
+     }}};
 
 State<G> box(const TransferChoice& choice) {
   test::RandomGas of;

@@ -43,8 +43,8 @@ void update(benchmark::State& state, const Law& law, double rho, double energy, 
     benchmark::ClobberMemory();
     way = -way;
   }
-  state.counters["points/s"] = benchmark::Counter(
-      points * static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
+  state.counters["points/s"] = benchmark::Counter(points * static_cast<double>(state.iterations()),
+                                                  benchmark::Counter::kIsRate);
 }
 
 template <class Law>

@@ -42,15 +42,17 @@ void multiply_add(benchmark::State& state) {
         });
     Kokkos::fence();
   }
-  state.counters["GFLOP/s"] = benchmark::Counter(
-      2e-9 * chains * length * threads * static_cast<double>(state.iterations()),
-      benchmark::Counter::kIsRate);
+  state.counters["GFLOP/s"] =
+      benchmark::Counter(2e-9 * chains * length * threads * static_cast<double>(state.iterations()),
+                         benchmark::Counter::kIsRate);
 }
 
 }  // namespace
 
 void register_machine() {
-  benchmark::RegisterBenchmark("machine/triad", triad)->UseRealTime()->Unit(benchmark::kMillisecond);
+  benchmark::RegisterBenchmark("machine/triad", triad)
+      ->UseRealTime()
+      ->Unit(benchmark::kMillisecond);
   benchmark::RegisterBenchmark("machine/multiply and add", multiply_add)
       ->UseRealTime()
       ->Unit(benchmark::kMillisecond);

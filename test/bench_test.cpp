@@ -84,8 +84,8 @@ TEST_F(Bench, SaysWhereTwoResultsAreNotAlike) {
 TEST_F(Bench, RefusesWhatIsNoResultInOneLine) {
   write("a.json", {1});
   write_file(folder.path / "none.json", "{}");
-  for (const char* words :
-       {"--compare a.json none.json", "--compare a.json missing.json", "--scaling --program false"}) {
+  for (const char* words : {"--compare a.json none.json", "--compare a.json missing.json",
+                            "--scaling --program false"}) {
     const Ran ran = bench(words);
     EXPECT_EQ(ran.status, 1);
     EXPECT_THAT(ran.err.substr(ran.err.rfind("brisance: ")), StartsWith("brisance: "));

@@ -18,17 +18,23 @@ using test::Ran;
 using test::run_program;
 using testing::HasSubstr;
 
+/// Sod's tube on 40 cells, its list "tradeoff" with this in it, too.
+void write_tube(const fs::path& file, const std::string& more = "") {
+  std::string text = read_file(data_folder() / "inputs/sod.xml");
+  const auto change = [&](const std::string& from, const std::string& to) {
+    text.replace(text.find(from), from.size(), to);
+  };
+  change("{200}", "{40}");
+  change("0.005", "0.025");
+  change("<Parameter name=\"resolutions\"", more + "<Parameter name=\"resolutions\"");
+  write_file(file, text);
+}
+
 class TradeoffProgram : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     folder = new Folder("tradeoff");
-    std::string text = read_file(data_folder() / "inputs/sod.xml");
-    const auto change = [&](const std::string& from, const std::string& to) {
-      text.replace(text.find(from), from.size(), to);
-    };
-    change("{200}", "{40}");
-    change("0.005", "0.025");
-    write_file(folder->path / "tube.xml", text);
+    write_tube(folder->path / "tube.xml");
     first = tradeoff("tube.xml --quick");
   }
   static void TearDownTestSuite() {
@@ -99,11 +105,27 @@ TEST_F(TradeoffProgram, ChoosesForASceneThatWasNotMeasured) {
 
 TEST_F(TradeoffProgram, RefusesInOneLine) {
   const std::string toro = (data_folder() / "inputs/toro3.xml").string();
-  for (const std::string& words : {std::string(), "'" + toro + "'", std::string("tube.xml --budget 5m"),
-                                  std::string("none.xml")}) {
+  for (const std::string& words : {std::string(), "'" + toro + "'",
+                                   std::string("tube.xml --budget 5m"), std::string("none.xml")}) {
     const Ran refused = tradeoff(words);
     EXPECT_EQ(refused.status, 2) << words;
     EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
+  }
+}
+
+// Its own error would be 0, whatever it is worth.
+TEST(TradeoffAgainstTheFinest, LeavesOutTheFinestRun) {
+  const Folder folder("tradeoff_finest");
+  write_tube(folder.path / "tube.xml", "<Parameter name='against' type='string' value='finest'/>");
+  const Ran ran = run_program("tradeoff tube.xml --quick --out measured", folder.path);
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  const fs::path runs = folder.path / "measured/runs/tube";
+  EXPECT_TRUE(fs::exists(runs / "balanced,x4,particles_3,CFL_0.8,linear/summary.json"));
+  const TradeoffPoints points = read_points(folder.path / "measured/tradeoff.csv");
+  ASSERT_EQ(points.size(), 8u);
+  for (const auto& point : points) {
+    EXPECT_LE(point.setting.resolution, 1);
+    EXPECT_GT(point.error, 0.1);  // L1 errors on 40 cells are some four times those on 160
   }
 }
 

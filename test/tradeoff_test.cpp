@@ -27,8 +27,15 @@ std::string input(const std::string& name) {
 
 TradeoffPoint point(const std::string& preset, double resolution, double error, double cost,
                     const std::string& scene = "tube") {
-  return {scene, "fluid on a line", {preset, resolution, "3", 0.8, "linear"}, true,
-          "finished", error, cost, 0, "abc"};
+  return {scene,
+          "fluid on a line",
+          {preset, resolution, "3", 0.8, "linear"},
+          true,
+          "finished",
+          error,
+          cost,
+          0,
+          "abc"};
 }
 
 TEST(TradeoffScene, RefinesCellsAndTheirSizeTogether) {
@@ -45,10 +52,9 @@ TEST(TradeoffScene, SetsParticlesInAllBodies) {
   Setting setting = scene.preset_alone("balanced", 1);
   EXPECT_EQ(setting.particles, "1");
   setting.particles = "2";
-  EXPECT_THAT(scene.assignments(setting),
-              ElementsAre("bodies/resting piston/particles per cell=2",
-                          "bodies/gas/particles per cell=2",
-                          "bodies/moving piston/particles per cell=2"));
+  EXPECT_THAT(scene.assignments(setting), ElementsAre("bodies/resting piston/particles per cell=2",
+                                                      "bodies/gas/particles per cell=2",
+                                                      "bodies/moving piston/particles per cell=2"));
   EXPECT_EQ(TradeoffScene(input("sedov_table1")).preset_alone("fast", 1).particles, "own");
 }
 
@@ -60,8 +66,7 @@ TEST(TradeoffScene, AShapeBringsWhatItNeeds) {
               ElementsAre("scheme/shape=quadratic", "scheme/quadrature=particle"));
   setting = gas.preset_alone("accurate", 1);
   setting.shape = "linear";
-  EXPECT_THAT(gas.assignments(setting),
-              ElementsAre("scheme/shape=linear", "scheme/transfer=FLIP"));
+  EXPECT_THAT(gas.assignments(setting), ElementsAre("scheme/shape=linear", "scheme/transfer=FLIP"));
   setting = solid.preset_alone("balanced", 1);
   setting.shape = "GIMP";
   EXPECT_THAT(solid.assignments(setting),
@@ -138,8 +143,8 @@ class TradeoffList : public testing::Test {
     return "<Parameter name='measures' type='Array(string)' value='" + value + "'/>";
   }
   static std::string resolutions(const std::string& value) {
-    return measures("{L1 density}") +
-           "<Parameter name='resolutions' type='Array(double)' value='" + value + "'/>";
+    return measures("{L1 density}") + "<Parameter name='resolutions' type='Array(double)' value='" +
+           value + "'/>";
   }
   Folder folder{"tradeoff_list"};
 };
@@ -206,9 +211,9 @@ TEST(TradeoffChoice, IsTheCheapestThatIsGoodEnoughOrTheBestThatIsCheapEnough) {
 
 TEST(TradeoffChoice, ForAnotherSceneTakesTheWorstOfItsFamily) {
   const TradeoffPoints points = {
-      point("fast", 1, 0.02, 1, "a"),     point("fast", 1, 0.03, 2, "b"),
-      point("balanced", 1, 0.01, 3, "a"), point("balanced", 1, 0.015, 8, "b"),
-      point("accurate", 1, 0.001, 9, "a"),             // not in b
+      point("fast", 1, 0.02, 1, "a"),        point("fast", 1, 0.03, 2, "b"),
+      point("balanced", 1, 0.01, 3, "a"),    point("balanced", 1, 0.015, 8, "b"),
+      point("accurate", 1, 0.001, 9, "a"),                                            // not in b
       point("fast", 0.013, 0.001, 0.1, "a"), point("fast", 0.013, 0.001, 0.1, "b")};  // no cells
   const TradeoffScene scene(input("toro3"));
   const FamilyFit fit(points, scene.family(), scene);
@@ -224,7 +229,8 @@ TEST(TradeoffChoice, ForAnotherSceneTakesTheWorstOfItsFamily) {
 }
 
 TEST(TradeoffChoice, ProbesWithARunThatIsMoreThanTheStartOfTheProgram) {
-  const TradeoffPoints points = {point("paper", 1, 0.05, 0.01, "a"), point("fast", 1, 0.02, 0.2, "a"),
+  const TradeoffPoints points = {point("paper", 1, 0.05, 0.01, "a"),
+                                 point("fast", 1, 0.02, 0.2, "a"),
                                  point("balanced", 1, 0.01, 0.6, "a")};
   const TradeoffScene scene(input("toro3"));
   const FamilyFit fit(points, scene.family(), scene);
@@ -241,7 +247,8 @@ TEST(TradeoffChoice, ReadsErrorsAndTimes) {
   EXPECT_DOUBLE_EQ(budget_from("2h"), 7200);
   for (const char* wrong : {"", "0%", "-1", "2 %", "nan", "inf", "1e999", "2s"})
     EXPECT_THROW(error_from(wrong), InputError) << wrong;
-  for (const char* wrong : {"", "0", "2%", "5m"}) EXPECT_THROW(budget_from(wrong), InputError) << wrong;
+  for (const char* wrong : {"", "0", "2%", "5m"})
+    EXPECT_THROW(budget_from(wrong), InputError) << wrong;
 }
 
 }  // namespace
