@@ -12,9 +12,6 @@ namespace brisance {
 ///   costs a third of a step of gas more.
 enum class Summation { colours, duplicates };
 
-/// Whether kernels run as the program's own threads, which can call one function after another.
-constexpr bool kernels_on_host = std::is_same<Space, Kokkos::DefaultHostExecutionSpace>::value;
-
 class Accumulator {
  public:
   using Scatter = Kokkos::Experimental::ScatterView<double**, Kokkos::LayoutLeft, Space>;

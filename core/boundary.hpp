@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/lattice.hpp"
+#include "core/wide.hpp"
 
 namespace brisance {
 
@@ -63,12 +64,13 @@ struct Ends {
 
   /// Where a particle that has moved to x along direction d ends up: inside a wall, wrapped, or out
   /// of a free end.
-  KOKKOS_FORCEINLINE_FUNCTION double settle(int d, double x) const {
+  template <class T>
+  KOKKOS_FORCEINLINE_FUNCTION T settle(int d, T x) const {
     if (period[d] > 0) {
-      if (x < low[d]) x += period[d];
-      return x < low[d] + period[d] ? x : x - period[d];
+      x = select(x < T(low[d]), x + T(period[d]), x);
+      return select(x < T(low[d] + period[d]), x, x - T(period[d]));
     }
-    return clamp(x, inside[d][0], inside[d][1]);
+    return clamp(x, T(inside[d][0]), T(inside[d][1]));
   }
 };
 

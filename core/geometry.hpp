@@ -21,9 +21,9 @@ struct PlaneStrain {
 
 /// The rate of deformation sym(L) in three dimensions; directions that the grid does not resolve do
 /// not strain. [1/s]
-template <class G>
-KOKKOS_INLINE_FUNCTION Sym3 strain_rate(const Mat<G::dim>& gradient) {
-  Sym3 rate;
+template <class G, class T>
+KOKKOS_FORCEINLINE_FUNCTION SymOf<T> strain_rate(const MatOf<T, G::dim>& gradient) {
+  SymOf<T> rate;
   for (int i = 0; i < G::dim; ++i)
     for (int j = i; j < G::dim; ++j) rate[Sym3::at(i, j)] = 0.5 * (gradient(i, j) + gradient(j, i));
   return rate;
@@ -31,14 +31,14 @@ KOKKOS_INLINE_FUNCTION Sym3 strain_rate(const Mat<G::dim>& gradient) {
 
 /// The rotation of a step, R = (1 - W dt/2)^-1 (1 + W dt/2) with the spin W = skew(L): orthogonal
 /// for any step (Hughes & Winget 1980).
-template <class G>
-KOKKOS_INLINE_FUNCTION Mat<3> rotation([[maybe_unused]] const Mat<G::dim>& gradient,
-                                       [[maybe_unused]] double dt) {
+template <class G, class T>
+KOKKOS_FORCEINLINE_FUNCTION MatOf<T, 3> rotation(
+    [[maybe_unused]] const MatOf<T, G::dim>& gradient, [[maybe_unused]] double dt) {
   static_assert(G::dim < 3, "three directions need the inverse of a 3 x 3 matrix");
-  Mat<3> r;
+  MatOf<T, 3> r;
   for (int i = 0; i < 3; ++i) r(i, i) = 1;
   if constexpr (G::dim == 2) {
-    const double a = 0.25 * dt * (gradient(1, 0) - gradient(0, 1)), norm = 1 / (1 + a * a);
+    const T a = 0.25 * dt * (gradient(1, 0) - gradient(0, 1)), norm = 1 / (1 + a * a);
     r(0, 0) = r(1, 1) = (1 - a * a) * norm;
     r(1, 0) = 2 * a * norm;
     r(0, 1) = -r(1, 0);
@@ -47,12 +47,13 @@ KOKKOS_INLINE_FUNCTION Mat<3> rotation([[maybe_unused]] const Mat<G::dim>& gradi
 }
 
 /// R s R^T.
-template <class G>
-KOKKOS_INLINE_FUNCTION Sym3 turned(const Sym3& s, [[maybe_unused]] const Mat<3>& r) {
+template <class G, class T>
+KOKKOS_FORCEINLINE_FUNCTION SymOf<T> turned(const SymOf<T>& s,
+                                            [[maybe_unused]] const MatOf<T, 3>& r) {
   if constexpr (G::dim == 1) return s;
-  Sym3 out = s;
-  const double c = r(0, 0), d = r(1, 0);
-  const double shift = d * d * (s[1] - s[0]) - 2 * c * d * s[3];
+  SymOf<T> out = s;
+  const T c = r(0, 0), d = r(1, 0);
+  const T shift = d * d * (s[1] - s[0]) - 2 * c * d * s[3];
   out[0] = s[0] + shift;
   out[1] = s[1] - shift;
   out[3] = (c * c - d * d) * s[3] + c * d * (s[0] - s[1]);

@@ -97,6 +97,7 @@ class Group {
   /// From the gradients; told by signals() when the sweep has run.
   virtual void find_signals(Sweep<G::dim>& in) = 0;
   virtual Signals signals() const = 0;
+  virtual void set_signals(const Lattice<G::dim>& lattice, const Signals& fastest) = 0;
   /// Stress <- the stress half a step on, with the gradient at the start of the step.
   virtual void half_step(Sweep<G::dim>& in, const Grid<G>& grid, double dt) = 0;
   /// State at the end of the step from gradient and work (midpoint).

@@ -5,36 +5,85 @@
 #include "core/geometry.hpp"
 
 namespace brisance {
+namespace {
+
+/// From one column to the next, in doubles: columns that start at the same place of a memory page
+/// would push each other out of the cache.
+std::size_t stride_of(int capacity) {
+  constexpr std::size_t page = 512, apart = 40;
+  const auto n = static_cast<std::size_t>(capacity);
+  return n < 8 * page ? n : (n + page - 1) / page * page + apart;
+}
+
+Table<double> no_column(int components) { return Table<double>("none", 0, components); }
+
+}  // namespace
 
 template <class G>
 Particles<G>::Particles(int capacity, const ColumnNeeds& needs)
-    : position("position", capacity, D),
-      velocity("velocity", capacity, D),
-      gradient("gradient", capacity, D * D),
-      mass("mass", capacity, 1),
-      volume("volume", capacity, 1),
-      stress("stress", capacity, needs.stress == Stress::pressure ? 1 : G::stress_components),
-      history("history", capacity, needs.history),
-      acting(stress),
+    : position(no_column(D)),
+      velocity(no_column(D)),
+      gradient(no_column(D * D)),
+      mass(no_column(1)),
+      volume(no_column(1)),
+      stress(no_column(needs.stress == Stress::pressure ? 1 : G::stress_components)),
+      history(no_column(needs.history)),
       acts_apart(needs.half_stress),
-      id("id", capacity),
-      bin("bin", capacity) {
-  if (acts_apart) acting = Table<double>("half stress", capacity, stress.extent(1));
-  if (needs.affine) affine = Table<double>("affine", capacity, D * D);
-  if (needs.work) work = Table<double>("work", capacity, 1);
-  if (needs.extent) extent = Table<double>("extent", capacity, D);
-  if (needs.relaxation) scratch = Table<double>("scratch", capacity, 2);
-  if (needs.stress_relaxation) scratch = Table<double>("scratch", capacity, 4);
+      gradient_lasts(needs.gradient_lasts) {
+  if (acts_apart) acting = no_column(static_cast<int>(stress.extent(1)));
+  if (needs.affine) affine = no_column(D * D);
+  if (needs.work) work = no_column(1);
+  if (needs.extent) extent = no_column(D);
+  if (needs.relaxation) scratch = no_column(2);
+  if (needs.stress_relaxation) scratch = no_column(4);
+  each_column([&](const char*, const Table<double>& column, bool carried) {
+    if (carried) carried_ += static_cast<int>(column.extent(1));
+  });
+  ++carried_;  // ids
+  store_ = Table<double>("particles", 0, carried_ + 1);
+  reserve(capacity);
 }
 
 template <class G>
 void Particles<G>::reserve(int needed) {
-  if (needed <= capacity()) return;
-  const int room = std::max(needed, capacity() + capacity() / 4);
-  each_column([&](const char*, Table<double>& c, bool) { Kokkos::resize(c, room, c.extent(1)); });
+  if (needed > capacity_) {
+    capacity_ = std::max(needed, capacity_ + capacity_ / 4);
+    Kokkos::resize(store_, stride_of(capacity_), carried_ + 1);
+    each_column([&](const char* name, Table<double>& column, bool carried) {
+      if (!carried) column = Table<double>(std::string(name), capacity_, column.extent(1));
+    });
+    Kokkos::resize(bin, capacity_);
+  }
+  lay_out();
+}
+
+template <class G>
+Particles<G> Particles<G>::none() const {
+  Particles<G> others = *this;
+  others.store_ = Table<double>("particles", 0, carried_ + 1);
+  others.each_column([&](const char*, Table<double>& column, bool) {
+    column = no_column(static_cast<int>(column.extent(1)));
+  });
+  others.first = {};
+  others.order = {};
+  others.bin = {};
+  others.count = others.capacity_ = 0;
+  others.lay_out();
+  return others;
+}
+
+template <class G>
+void Particles<G>::lay_out() {
+  int next = shifted_ ? 1 : 0;
+  each_column([&](const char*, Table<double>& column, bool carried) {
+    if (!carried) return;
+    const int end = next + static_cast<int>(column.extent(1));
+    column = Kokkos::subview(store_, Kokkos::make_pair(0, capacity_), Kokkos::make_pair(next, end));
+    next = end;
+  });
+  static_assert(sizeof(std::int64_t) == sizeof(double));
+  id = Array<std::int64_t>(reinterpret_cast<std::int64_t*>(slot(next).data()), capacity_);
   if (!acts_apart) acting = stress;
-  Kokkos::resize(id, room);
-  Kokkos::resize(bin, room);
 }
 
 template struct Particles<Line>;

@@ -1,11 +1,13 @@
 #pragma once
 // What every particle has, and the only place that knows how it lies in memory: columns sorted by
-// bin, one value after the other. Kernels capture it by value and reach particles through its
-// accessors.
+// tiles of bins (core/tile.hpp), one value after the other. Kernels capture it by value and reach
+// particles through its accessors, one by one or in bundles.
 #include <string>
 
 #include "core/geometry.hpp"
 #include "core/lattice.hpp"
+#include "core/row.hpp"
+#include "core/tile.hpp"
 
 namespace brisance {
 
@@ -23,6 +25,13 @@ struct ColumnNeeds {
   bool stress_relaxation = false;  ///< of solids: residuals of the direct stresses and a weight
   bool extent =
       false;  ///< edges of each particle, where the scheme asks for them in more than one direction
+  bool gradient_lasts = false;  ///< whether the velocity gradient is asked for after the next sort
+};
+
+/// One column of a table of particles or nodes; where several are meant, the first.
+struct Entry {
+  Table<double> table;
+  int column = 0;
 };
 
 template <class G>
@@ -33,28 +42,31 @@ struct Particles {
   Table<double> position, velocity, gradient, mass, volume, stress, history, affine, work, scratch,
       extent;
   Table<double> acting;  ///< the stress that pulls at the nodes: `stress` itself, or a column apart
-  bool acts_apart = false;
+  bool acts_apart = false, gradient_lasts = false;
   Array<std::int64_t> id;
-  Array<int> first;  ///< bin b holds the particles first(b) .. first(b + 1)
-  Array<int> bin;    ///< where each goes in the next sort
+  Array<int> first;  ///< of each bin: how many particles lie in those before; a row of bins b .. c
+                     ///< holds the particles first(b) .. first(c), tile by tile
+  Array<TileOrder> order;  ///< of each tile of each row
+  Array<int> bin;          ///< where each goes in the next sort
 
   Particles() = default;
   Particles(int capacity, const ColumnNeeds& needs);
 
-  int capacity() const { return static_cast<int>(mass.extent(0)); }
+  int capacity() const { return capacity_; }
 
   /// Room for at least `needed` particles, columns kept.
   void reserve(int needed);
+  /// None yet, with the same columns in memory of their own.
+  Particles none() const;
 
   /// Calls f(name, column, carried) for each allocated column of doubles; `carried` columns hold
-  /// state, the others nothing that outlives a kernel. Sorting, splitting, output, restart and
-  /// migration are written over this, so that nobody lists the columns twice. `f` may replace the
-  /// column.
+  /// state, the others nothing that outlives a kernel. Splitting, output, restart and migration are
+  /// written over this, so that nobody lists the columns twice.
   template <class F>
   void each_column(F&& f) {
     f("position", position, true);
     f("velocity", velocity, true);
-    f("gradient", gradient, true);
+    f("gradient", gradient, gradient_lasts);
     f("mass", mass, true);
     f("volume", volume, true);
     f("stress", stress, true);
@@ -78,75 +90,167 @@ struct Particles {
     for (int k = 0; k < N; ++k) column(p, k) = value[k];
   }
 
+  /// Component k of a column, of one particle or of a bundle.
+  KOKKOS_FORCEINLINE_FUNCTION static double get(const Table<double>& column, int p, int k = 0) {
+    return column(p, k);
+  }
+  template <bool full>
+  KOKKOS_FORCEINLINE_FUNCTION static Wide get(const Table<double>& column, const Bundle<full>& b,
+                                              int k = 0) {
+    return b.read(&column(0, k));
+  }
+  KOKKOS_FORCEINLINE_FUNCTION static void put(const Table<double>& column, int p, int k,
+                                              double value) {
+    column(p, k) = value;
+  }
+  template <bool full>
+  KOKKOS_FORCEINLINE_FUNCTION static void put(const Table<double>& column, const Bundle<full>& b,
+                                              int k, const Wide& value) {
+    b.write(&column(0, k), value);
+  }
+
+  KOKKOS_FORCEINLINE_FUNCTION void set_bin(int p, double value) const {
+    bin(p) = static_cast<int>(value);
+  }
+  KOKKOS_FORCEINLINE_FUNCTION void set_bin(const Bundle<true>& b, const Wide& value) const {
+    value.write_whole(&bin(b.first));
+  }
+
+  /// Calls f(tile) for the tiles of a row that hold particles; their shapes touch `width` nodes
+  /// along x.
+  template <class F>
+  KOKKOS_FORCEINLINE_FUNCTION void for_tiles(const Row<D>& row, int width, const F& f) const {
+    if (first(row.begin) == first(row.end)) return;
+    const int owned_end = first(row.owned_end);
+    int number = row.number * Row<D>::tiles;
+    for (int begin = row.begin; begin < row.end; begin += Wide::lanes, ++number) {
+      const Tile tile(first, begin, row.end, row.line_end - width + 1, order(number), owned_end);
+      if (!tile.empty()) f(tile);
+    }
+  }
+  /// Calls f(bundle) and f(p) for the particles of a row, whatever their bins.
+  template <class F>
+  KOKKOS_FORCEINLINE_FUNCTION void for_all(const Row<D>& row, const F& f) const {
+    const int end = first(row.end);
+    int p = first(row.begin);
+    for (; p + Wide::lanes <= end; p += Wide::lanes) f(Bundle<true>{p});
+    for (; p < end; ++p) f(p);
+  }
+
   KOKKOS_INLINE_FUNCTION Vec<D> x(int p) const { return load<D>(position, p); }
   KOKKOS_INLINE_FUNCTION Vec<D> v(int p) const { return load<D>(velocity, p); }
   KOKKOS_INLINE_FUNCTION double& m(int p) const { return mass(p, 0); }
   KOKKOS_INLINE_FUNCTION double& vol(int p) const { return volume(p, 0); }
 
-  KOKKOS_INLINE_FUNCTION Mat<D> matrix(const Table<double>& column, int p) const {
-    Mat<D> value;
-    for (int k = 0; k < D * D; ++k) value.a[k] = column(p, k);
+  template <class I>
+  KOKKOS_FORCEINLINE_FUNCTION auto matrix(const Table<double>& column, const I& p) const {
+    MatOf<decltype(get(column, p)), D> value;
+    for (int k = 0; k < D * D; ++k) value.a[k] = get(column, p, k);
     return value;
   }
-  KOKKOS_INLINE_FUNCTION void set_matrix(const Table<double>& column, int p,
-                                         const Mat<D>& value) const {
-    for (int k = 0; k < D * D; ++k) column(p, k) = value.a[k];
+  template <class I, class T>
+  KOKKOS_FORCEINLINE_FUNCTION void set_matrix(const Table<double>& column, const I& p,
+                                              const MatOf<T, D>& value) const {
+    for (int k = 0; k < D * D; ++k) put(column, p, k, value.a[k]);
   }
 
   /// The stress tensor, tension positive; a pressure column gives -p I. [Pa]
-  template <Stress kind>
-  KOKKOS_INLINE_FUNCTION static Sym3 sigma(const Table<double>& column, int p) {
-    Sym3 s;
+  template <Stress kind, class I>
+  KOKKOS_FORCEINLINE_FUNCTION static auto sigma(const Table<double>& column, const I& p) {
+    SymOf<decltype(get(column, p))> s;
     if constexpr (kind == Stress::pressure)
-      s[0] = s[1] = s[2] = -column(p, 0);
+      s[0] = s[1] = s[2] = -get(column, p);
     else
-      for (int k = 0; k < G::stress_components; ++k) s[k] = column(p, k);
+      for (int k = 0; k < G::stress_components; ++k) s[k] = get(column, p, k);
     return s;
   }
-  template <Stress kind>
-  KOKKOS_INLINE_FUNCTION static void set_sigma(const Table<double>& column, int p, const Sym3& s) {
+  template <Stress kind, class I, class T>
+  KOKKOS_FORCEINLINE_FUNCTION static void set_sigma(const Table<double>& column, const I& p,
+                                                    const SymOf<T>& s) {
     if constexpr (kind == Stress::pressure)
-      column(p, 0) = -s[0];
+      put(column, p, 0, -s[0]);
     else
-      for (int k = 0; k < G::stress_components; ++k) column(p, k) = s[k];
+      for (int k = 0; k < G::stress_components; ++k) put(column, p, k, s[k]);
   }
-  template <Stress kind>
-  KOKKOS_INLINE_FUNCTION Sym3 sigma(int p) const {
+  template <Stress kind, class I>
+  KOKKOS_FORCEINLINE_FUNCTION auto sigma(const I& p) const {
     return sigma<kind>(stress, p);
   }
-  template <Stress kind>
-  KOKKOS_INLINE_FUNCTION void set_sigma(int p, const Sym3& s) const {
+  template <Stress kind, class I, class T>
+  KOKKOS_FORCEINLINE_FUNCTION void set_sigma(const I& p, const SymOf<T>& s) const {
     set_sigma<kind>(stress, p, s);
   }
 
   /// Half the edge along d of the box that the particle fills: its extents, brought to its volume.
   /// [m]
-  KOKKOS_INLINE_FUNCTION double half_size(int p, int d) const {
-    if constexpr (D == 1) return 0.5 * vol(p);
-    if (extent.extent(1) == 0) return 0.5 * root(vol(p));
-    double box = 1;
-    for (int k = 0; k < D; ++k) box *= extent(p, k);
-    return 0.5 * extent(p, d) * root(vol(p) / box);
+  template <class I>
+  KOKKOS_FORCEINLINE_FUNCTION auto half_size(const I& p, int d) const {
+    const auto v = get(volume, p);
+    if constexpr (D == 1) return 0.5 * v;
+    if (extent.extent(1) == 0) return 0.5 * root(v);
+    auto box = get(extent, p, 0);
+    for (int k = 1; k < D; ++k) box *= get(extent, p, k);
+    return 0.5 * get(extent, p, d) * root(v / divisor(p, box));
   }
 
   /// The same in cells, as sized shapes take it.
-  KOKKOS_INLINE_FUNCTION double half_length(int p, int d, double h) const {
-    return clamp(half_size(p, d) / h, 1e-6, 0.5);
+  template <class I>
+  KOKKOS_FORCEINLINE_FUNCTION auto half_length(const I& p, int d, double h) const {
+    using T = decltype(get(volume, p));
+    return clamp(half_size(p, d) * T(1 / h), T(1e-6), T(0.5));
   }
 
   /// Stretches the extents with a step's strain, if they are kept; none gets longer than four times
   /// another.
-  KOKKOS_INLINE_FUNCTION void stretch(int p, const Mat<D>& gradient_, double dt) const {
+  template <class I>
+  KOKKOS_FORCEINLINE_FUNCTION void stretch(const I& p, double dt) const {
     if (extent.extent(1) == 0) return;
-    double longest = 0;
+    using T = decltype(get(volume, p));
+    T longest = 0, length[D];
     for (int d = 0; d < D; ++d) {
-      extent(p, d) *= most(1 + gradient_(d, d) * dt, 0.1);
-      longest = most(longest, extent(p, d));
+      length[d] = get(extent, p, d) * most(1 + get(gradient, p, d * D + d) * T(dt), T(0.1));
+      longest = most(longest, length[d]);
     }
-    for (int d = 0; d < D; ++d) extent(p, d) = most(extent(p, d), 0.25 * longest);
+    for (int d = 0; d < D; ++d) put(extent, p, d, most(length[d], 0.25 * longest));
   }
 
-  KOKKOS_INLINE_FUNCTION static double root(double v) { return D == 2 ? sqrt(v) : pow(v, 1. / D); }
+  /// The edge of a square or cube of volume v. [m]
+  template <class T>
+  KOKKOS_FORCEINLINE_FUNCTION static T root(const T& v) {
+    static_assert(D < 3, "three directions need a cubic root");
+    return D == 2 ? sqrt(v) : v;
+  }
+  KOKKOS_FORCEINLINE_FUNCTION static double divisor(int, double value) { return value; }
+  template <bool full>
+  KOKKOS_FORCEINLINE_FUNCTION static Wide divisor(const Bundle<full>& b, const Wide& value) {
+    return b.divisor(value);
+  }
+
+  /// Sorting writes each column into its neighbour's place, so that one spare column is all it
+  /// needs: calls f(from, to) for the columns that are carried, ids included, in an order in which
+  /// none is overwritten before it is read. They are known under their names again afterwards.
+  template <class F>
+  void rotate(const F& f) {
+    for (int k = 0; k < carried_; ++k)
+      shifted_ ? f(slot(k + 1), slot(k)) : f(slot(carried_ - 1 - k), slot(carried_ - k));
+    shifted_ = !shifted_;
+    lay_out();
+  }
+  /// Calls f(column, spare) for the same columns, which stay in their places.
+  template <class F>
+  void each_slot(const F& f) const {
+    for (int k = 0; k < carried_; ++k) f(slot(k + shifted_), slot(shifted_ ? 0 : carried_));
+  }
+
+ private:
+  Table<double> store_;  ///< the carried columns, ids, and the spare one, side by side
+  int capacity_ = 0, carried_ = 0;
+  bool shifted_ = false;  ///< whether the spare column is the first, else the last
+
+  Array<double> slot(int k) const {
+    return Kokkos::subview(store_, Kokkos::make_pair(0, capacity_), k);
+  }
+  void lay_out();
 };
 
 }  // namespace brisance

@@ -53,8 +53,8 @@ class Relaxation {
   /// scratch(column) <- keep * scratch(column) + factor * nodal field gathered.
   void gather(int field, int column, double keep, double factor) {
     for_fluids([&](Group<G>& g) {
-      g.transfer->gather_scalar(sweep, g.particles, sums->total, field,
-                                Entry{g.particles.scratch, column}, keep, factor);
+      g.transfer->gather_scalar(sweep, g.particles, {sums->total, field},
+                                {g.particles.scratch, column}, keep, factor);
     });
   }
 

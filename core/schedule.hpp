@@ -3,54 +3,15 @@
 // upon the other without a look at nodes that others still add to goes into one sweep, which works
 // on a row after the other while its particles lie in the nearest cache.
 #include <algorithm>
+#include <initializer_list>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "core/accumulator.hpp"
-#include "core/lattice.hpp"
+#include "core/row.hpp"
 
 namespace brisance {
-
-/// A run of neighbouring bins along x: bins begin .. end, the first of them at integer coordinates
-/// `base`.
-template <int D>
-struct Row {
-  int begin, end;
-  int base[D];
-  int number;  ///< from 0 on, for results of its own
-};
-
-/// How the bins of a lattice fall into rows and these into blocks, whatever the number of threads.
-/// A block's particles reach the nodes of the block after next in no shape.
-template <int D>
-struct RowLayout {
-  /// Bins in one row: long enough to amortise its start, short enough for the cache.
-  static constexpr int length = 32;
-  /// Of two directions, four lines of bins: as wide as the widest shape.
-  static constexpr int lines_in_block = D == 1 ? 1 : 4;
-
-  Lattice<D> lattice;
-  int line, pieces, rows, rows_in_block, blocks;
-
-  explicit RowLayout(const Lattice<D>& lattice_)
-      : lattice(lattice_),
-        line(lattice.extent(0)),
-        pieces((line + length - 1) / length),
-        rows(pieces * (lattice.size / line)),
-        rows_in_block(D == 1 ? 1 : lines_in_block * pieces),
-        blocks((rows + rows_in_block - 1) / rows_in_block) {}
-
-  KOKKOS_INLINE_FUNCTION Row<D> row(int number) const {
-    const int piece = number % pieces, start = number / pieces * line;
-    Row<D> r;
-    r.number = number;
-    r.begin = start + piece * length;
-    r.end = start + (piece + 1 < pieces ? (piece + 1) * length : line);
-    lattice.coordinates(r.begin, r.base);
-    return r;
-  }
-};
 
 /// Stages that are worked on together: all stages of a row, then the next row. Where kernels do not
 /// run on the host, each stage is a kernel of its own, launched as it is added.
@@ -84,14 +45,28 @@ class Sweep {
     }
   }
 
+  /// Says that the stages look at columns of particles, whose next row is then on its way into the
+  /// cache while this one is worked on: short stretches of many columns are too much for what the
+  /// processor foresees by itself, and the step waits for memory a third longer.
+  void touch(const Array<int>& first, std::initializer_list<Table<double>> columns) {
+    for (const auto& column : columns) {
+      const auto known = std::find_if(touched_.begin(), touched_.end(), [&](const Touched& t) {
+        return t.column.data() == column.data();
+      });
+      if (known == touched_.end() && column.extent(1) > 0) touched_.push_back({first, column});
+    }
+  }
+
   /// Works on all rows and forgets the stages. Profilers see the names of all of them, apart by
   /// commas; what a second launch with " (2)" does belongs to the first.
   void run() {
     if (stages_.empty()) return;
     const std::string name = watched() ? names() : "sweep";
-    const auto work = [stages = &stages_, layout = layout_](int block) {
+    const auto work = [stages = &stages_, touched = &touched_, layout = layout_](int block) {
       const int end = std::min(layout.rows, (block + 1) * layout.rows_in_block);
       for (int k = block * layout.rows_in_block; k < end; ++k) {
+        if (k + 1 < end)
+          for (const Touched& t : *touched) t.fetch(layout.row(k + 1));
         const Row<D> row = layout.row(k);
         for (const auto& stage : *stages) (*stage)(row);
       }
@@ -107,6 +82,7 @@ class Sweep {
       Kokkos::parallel_for(name, Shared(0, layout_.blocks), work);
     }
     stages_.clear();
+    touched_.clear();
     colours_ = duplicates_ = false;
   }
 
@@ -140,8 +116,21 @@ class Sweep {
     KOKKOS_INLINE_FUNCTION void operator()(const Row<D>& row) const { f(row, scatter.access()); }
   };
 
+  struct Touched {
+    Array<int> first;
+    Table<double> column;
+    void fetch([[maybe_unused]] const Row<D>& row) const {
+#if defined(__GNUC__)
+      const int end = first(row.end);
+      for (std::size_t k = 0; k < column.extent(1); ++k)
+        for (int p = first(row.begin); p < end; p += Wide::lanes) __builtin_prefetch(&column(p, k));
+#endif
+    }
+  };
+
   RowLayout<D> layout_;
   std::vector<std::unique_ptr<Stage>> stages_;
+  std::vector<Touched> touched_;
   bool colours_ = false, duplicates_ = false;
 
   static bool watched() {

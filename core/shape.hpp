@@ -4,10 +4,10 @@
 // nodes, and how a point's volume spreads over cells, `overlap`: such that the slope of a node is
 // the sum over cells of overlap times the slope of the linear shape, hence a pressure that fills a
 // cell together with fluids of the shape "linear" is in balance with them. Lengths are in cells.
-// Those whose weights are polynomials of `degree` give the coefficients of (d - centre)^m, too.
+// A point is in one of the `holding` cells from `first_holding` on, counted from its base.
 // Sources: Sulsky et al. (1994) for linear, Bardenhagen & Kober (2004) for GIMP, Steffen, Kirby &
 // Berzins (2008) for the splines.
-#include "core/types.hpp"
+#include "core/wide.hpp"
 
 namespace brisance {
 
@@ -17,24 +17,23 @@ struct Linear {
   static constexpr int width = 2;
   static constexpr double affine_inertia = 0;  // not a spline with constant second moment: no APIC
 
-  static constexpr int degree = 1;
-  static constexpr double centre = 0;
-  KOKKOS_INLINE_FUNCTION static constexpr double coefficient(int k, int m) {
-    constexpr double c[2][2] = {{1, -1}, {0, 1}};
-    return c[k][m];
+  template <class T>
+  KOKKOS_FORCEINLINE_FUNCTION static T base(T xi) {
+    return floor(xi);
   }
 
-  KOKKOS_INLINE_FUNCTION static int base(double xi) { return static_cast<int>(floor(xi)); }
-
-  KOKKOS_INLINE_FUNCTION static void at(double d, double, double (&w)[2], double (&slope)[2]) {
+  template <class T>
+  KOKKOS_FORCEINLINE_FUNCTION static void at(T d, T, T (&w)[2], T (&slope)[2]) {
     w[0] = 1 - d;
     w[1] = d;
     slope[0] = -1;
     slope[1] = 1;
   }
 
+  static constexpr int first_holding = 0, holding = 1;
   static constexpr int cells = 1;
-  KOKKOS_INLINE_FUNCTION static void overlap(double, double, double (&w)[1]) { w[0] = 1; }
+  template <class T>
+  KOKKOS_FORCEINLINE_FUNCTION static void overlap(T, T, T (&w)[1]) { w[0] = 1; }
 };
 
 /// A hat smeared over the particle's own extent, half of which is `half`, at most half a cell.
@@ -43,36 +42,31 @@ struct Gimp {
   static constexpr bool sized = true;  // asks for the particle's extent
   static constexpr int width = 3;
   static constexpr double affine_inertia = 0;
-  static constexpr int degree = 0;  // no polynomial
-  static constexpr double centre = 0;
-  KOKKOS_INLINE_FUNCTION static constexpr double coefficient(int, int) { return 0; }
 
-  KOKKOS_INLINE_FUNCTION static int base(double xi) {
-    return static_cast<int>(floor(xi + 0.5)) - 1;
+  template <class T>
+  KOKKOS_FORCEINLINE_FUNCTION static T base(T xi) {
+    return floor(xi + 0.5) - 1;
   }
 
-  KOKKOS_INLINE_FUNCTION static void at(double d, double half, double (&w)[3], double (&slope)[3]) {
+  template <class T>
+  KOKKOS_FORCEINLINE_FUNCTION static void at(T d, T half, T (&w)[3], T (&slope)[3]) {
     for (int k = 0; k < 3; ++k) {
-      const double z = d - k, r = fabs(z), sign = z < 0 ? -1 : 1;
-      if (r < half) {
-        w[k] = 1 - (z * z + half * half) / (2 * half);
-        slope[k] = -z / half;
-      } else if (r < 1 - half) {
-        w[k] = 1 - r;
-        slope[k] = -sign;
-      } else if (r < 1 + half) {
-        w[k] = square(1 + half - r) / (4 * half);
-        slope[k] = -sign * (1 + half - r) / (2 * half);
-      } else {
-        w[k] = 0;
-        slope[k] = 0;
-      }
+      const T z = d - k, r = fabs(z), sign = select(z < T(0), T(-1), T(1));
+      const auto at_top = r < half, on_flank = r < 1 - half, at_foot = r < 1 + half;
+      w[k] = select(at_top, 1 - (z * z + half * half) / (2 * half),
+                    select(on_flank, 1 - r,
+                           select(at_foot, square(1 + half - r) / (4 * half), T(0))));
+      slope[k] = select(
+          at_top, -z / half,
+          select(on_flank, -sign, select(at_foot, -sign * (1 + half - r) / (2 * half), T(0))));
     }
   }
 
+  static constexpr int first_holding = 0, holding = 2;
   static constexpr int cells = 2;
-  KOKKOS_INLINE_FUNCTION static void overlap(double d, double half, double (&w)[2]) {
-    w[1] = clamp((d + half - 1) / (2 * half), 0, 1);
+  template <class T>
+  KOKKOS_FORCEINLINE_FUNCTION static void overlap(T d, T half, T (&w)[2]) {
+    w[1] = clamp((d + half - 1) / (2 * half), T(0), T(1));
     w[0] = 1 - w[1];
   }
 };
@@ -83,19 +77,13 @@ struct QuadraticSpline {
   static constexpr int width = 3;
   static constexpr double affine_inertia = 1. / 4;  // sum over nodes of w r r, in cells^2
 
-  static constexpr int degree = 2;
-  static constexpr double centre = 1;
-  KOKKOS_INLINE_FUNCTION static constexpr double coefficient(int k, int m) {
-    constexpr double c[3][3] = {
-        {1. / 8, -1. / 2, 1. / 2}, {3. / 4, 0, -1}, {1. / 8, 1. / 2, 1. / 2}};
-    return c[k][m];
+  template <class T>
+  KOKKOS_FORCEINLINE_FUNCTION static T base(T xi) {
+    return floor(xi + 0.5) - 1;
   }
 
-  KOKKOS_INLINE_FUNCTION static int base(double xi) {
-    return static_cast<int>(floor(xi + 0.5)) - 1;
-  }
-
-  KOKKOS_INLINE_FUNCTION static void at(double d, double, double (&w)[3], double (&slope)[3]) {
+  template <class T>
+  KOKKOS_FORCEINLINE_FUNCTION static void at(T d, T, T (&w)[3], T (&slope)[3]) {
     w[0] = 0.5 * square(1.5 - d);
     w[1] = 0.75 - square(d - 1);
     w[2] = 0.5 * square(d - 0.5);
@@ -104,8 +92,10 @@ struct QuadraticSpline {
     slope[2] = d - 0.5;
   }
 
+  static constexpr int first_holding = 0, holding = 2;
   static constexpr int cells = 2;
-  KOKKOS_INLINE_FUNCTION static void overlap(double d, double, double (&w)[2]) {
+  template <class T>
+  KOKKOS_FORCEINLINE_FUNCTION static void overlap(T d, T, T (&w)[2]) {
     w[0] = 1.5 - d;
     w[1] = d - 0.5;
   }
@@ -117,32 +107,28 @@ struct CubicSpline {
   static constexpr int width = 4;
   static constexpr double affine_inertia = 1. / 3;
 
-  static constexpr int degree = 3;
-  static constexpr double centre = 1.5;
-  KOKKOS_INLINE_FUNCTION static constexpr double coefficient(int k, int m) {
-    constexpr double c[4][4] = {{1. / 48, -1. / 8, 1. / 4, -1. / 6},
-                                {23. / 48, -5. / 8, -1. / 4, 1. / 2},
-                                {23. / 48, 5. / 8, -1. / 4, -1. / 2},
-                                {1. / 48, 1. / 8, 1. / 4, 1. / 6}};
-    return c[k][m];
+  template <class T>
+  KOKKOS_FORCEINLINE_FUNCTION static T base(T xi) {
+    return floor(xi) - 1;
   }
 
-  KOKKOS_INLINE_FUNCTION static int base(double xi) { return static_cast<int>(floor(xi)) - 1; }
-
-  KOKKOS_INLINE_FUNCTION static void at(double d, double, double (&w)[4], double (&slope)[4]) {
-    const double f = d - 1, g = 1 - f;
-    w[0] = g * g * g / 6;
-    w[1] = (3 * f * f * f - 6 * f * f + 4) / 6;
-    w[2] = (3 * g * g * g - 6 * g * g + 4) / 6;
-    w[3] = f * f * f / 6;
-    slope[0] = -g * g / 2;
-    slope[1] = (9 * f * f - 12 * f) / 6;
-    slope[2] = -(9 * g * g - 12 * g) / 6;
-    slope[3] = f * f / 2;
+  template <class T>
+  KOKKOS_FORCEINLINE_FUNCTION static void at(T d, T, T (&w)[4], T (&slope)[4]) {
+    const T f = d - 1, g = 1 - f;
+    w[0] = g * g * g * (1. / 6);
+    w[1] = f * f * (0.5 * f - 1) + 2. / 3;
+    w[2] = g * g * (0.5 * g - 1) + 2. / 3;
+    w[3] = f * f * f * (1. / 6);
+    slope[0] = -0.5 * g * g;
+    slope[1] = f * (1.5 * f - 2);
+    slope[2] = -g * (1.5 * g - 2);
+    slope[3] = 0.5 * f * f;
   }
 
+  static constexpr int first_holding = 1, holding = 1;
   static constexpr int cells = 3;
-  KOKKOS_INLINE_FUNCTION static void overlap(double d, double, double (&w)[3]) {
+  template <class T>
+  KOKKOS_FORCEINLINE_FUNCTION static void overlap(T d, T, T (&w)[3]) {
     w[0] = 0.5 * square(2 - d);
     w[2] = 0.5 * square(d - 1);
     w[1] = 1 - w[0] - w[2];

@@ -16,20 +16,6 @@ To on_device(const std::string& name, const std::vector<From>& values) {
   return view;
 }
 
-/// No points yet, with the columns of others.
-template <class G>
-Particles<G> none_like(Particles<G> like) {
-  like.each_column([&](const char* name, Table<double>& column, bool) {
-    column = Table<double>(std::string(name), 0, column.extent(1));
-  });
-  if (!like.acts_apart) like.acting = like.stress;
-  like.id = Array<std::int64_t>("id", 0);
-  like.bin = Array<int>("bin", 0);
-  like.first = {};
-  like.count = 0;
-  return like;
-}
-
 /// to(place(p)) <- from(p) where there is a place, in all columns that hold state.
 template <class G>
 void copy_rows(Particles<G>& from, Particles<G>& to, const Array<int>& place) {
@@ -134,7 +120,7 @@ void Sleep<G>::lull(const Groups& groups, const std::vector<bool>& may, const Gr
   for (std::size_t g = 0; g < groups.size(); ++g) {
     if (!may[g]) continue;
     Group<G>& group = *groups[g];
-    Part part{&group, none_like(group.particles), {}};
+    Part part{&group, group.particles.none(), {}};
     move(group.particles, part.points, group, 1, sorter);
     sorter.sort(part.points, *group.transfer, lattice_);
     parts_.push_back(part);

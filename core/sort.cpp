@@ -3,19 +3,60 @@
 #include <algorithm>
 
 #include "core/geometry.hpp"
+#include "core/row.hpp"
 
 namespace brisance {
 namespace {
 
-/// column(i) <- column(source(i)) for begin <= i < end.
-template <class T>
-void permute(const T& column, const Array<int>& source, const T& spare, int begin, int end) {
-  const Kokkos::RangePolicy<Space> range(begin, end);
-  Kokkos::parallel_for(
-      "permute", range, KOKKOS_LAMBDA(const int i) { spare(i) = column(source(i)); });
-  Kokkos::parallel_for(
-      "permute back", range, KOKKOS_LAMBDA(const int i) { column(i) = spare(i); });
+int count_of(const Kokkos::View<int, Space>& number) {
+  int on_host = 0;
+  Kokkos::deep_copy(on_host, number);
+  return on_host;
 }
+
+/// to(i) <- from(source(i)) for begin <= i < end.
+void permute(const Array<double>& from, const Array<int>& source, const Array<double>& to,
+             int begin, int end) {
+  Kokkos::parallel_for(
+      "permute", Kokkos::RangePolicy<Space>(begin, end),
+      KOKKOS_LAMBDA(const int i) { to(i) = from(source(i)); });
+}
+
+/// tiled <- sorted, a list of particles bin by bin, in the order of tiles; and their TileOrders.
+/// Says which stretch of particles is out of place.
+template <int D>
+struct LayTiles {
+  RowLayout<D> layout;
+  Array<int> first, sorted, tiled;
+  Array<TileOrder> order;
+
+  KOKKOS_INLINE_FUNCTION void operator()(const int k,
+                                         Kokkos::MinMaxScalar<int>& moved) const {
+    const Row<D> row = layout.row(k);
+    int number = k * Row<D>::tiles;
+    for (int bin = row.begin; bin < row.end; bin += Wide::lanes, ++number) {
+      int counts[Wide::lanes];
+      bool falling = true;
+      for (int b = 0; b < Wide::lanes; ++b) {
+        counts[b] = bin + b < row.end ? first(bin + b + 1) - first(bin + b) : 0;
+        falling = falling && (b == 0 || counts[b] <= counts[b - 1]);
+      }
+      const TileOrder lanes = falling ? TileOrder{} : TileOrder::by(counts);
+      order(number) = lanes;
+      int next = first(bin), present = Wide::lanes;
+      for (int slot = 0; present > 0; ++slot) {
+        while (present > 0 && counts[lanes[present - 1]] <= slot) --present;
+        for (int lane = 0; lane < present; ++lane, ++next) {
+          const int source = sorted(first(bin + lanes[lane]) + slot);
+          tiled(next) = source;
+          if (source == next) continue;
+          moved.min_val = next < moved.min_val ? next : moved.min_val;
+          moved.max_val = next > moved.max_val ? next : moved.max_val;
+        }
+      }
+    }
+  }
+};
 
 }  // namespace
 
@@ -33,8 +74,7 @@ int Sorter<G>::sort(Particles<G>& particles, const Lattice<G::dim>& lattice) {
   const int chunks = std::max(1, std::min<int>(Space().concurrency(), count / 1024));
   const int per_chunk = (count + chunks - 1) / chunks;
   if (static_cast<int>(source_.extent(0)) < count) {
-    Kokkos::realloc(source_, particles.capacity());
-    Kokkos::realloc(spare_, particles.capacity());
+    source_ = Array<int>("order of particles", particles.capacity());
   }
   if (static_cast<int>(counts_.extent(0)) < chunks || static_cast<int>(counts_.extent(1)) != bins)
     counts_ = Table<int>("bin counts", chunks, bins);
@@ -68,32 +108,35 @@ int Sorter<G>::sort(Particles<G>& particles, const Lattice<G::dim>& lattice) {
         for (int p = c * per_chunk; p < end; ++p) source(counts(c, bin(p))++) = p;
       });
 
-  // Only the stretch between the first and the last particle out of place is rewritten: ahead of a
-  // blast nothing moves.
+  const int inside = count_of(Kokkos::subview(first, lattice.size));
+  const RowLayout<G::dim> layout(lattice);
+  const int tiles = layout.rows * Row<G::dim>::tiles;
+  if (static_cast<int>(particles.order.extent(0)) != tiles)
+    particles.order = Array<TileOrder>("order of tiles", tiles);
+  const auto tiled = bin;  // the bins are not asked for any more
   Kokkos::MinMaxScalar<int> moved;
-  Kokkos::parallel_reduce(
-      "out of place", Kokkos::RangePolicy<Space>(0, count),
-      KOKKOS_LAMBDA(const int i, Kokkos::MinMaxScalar<int>& range) {
-        if (source(i) == i) return;
-        range.min_val = i < range.min_val ? i : range.min_val;
-        range.max_val = i > range.max_val ? i : range.max_val;
-      },
-      Kokkos::MinMax<int>(moved));
-  if (moved.min_val <= moved.max_val) {
-    const int begin = moved.min_val, end = moved.max_val + 1;
-    const auto spare = spare_;
-    particles.each_column([&](const char*, Table<double>& column, bool carried) {
-      if (!carried) return;
-      for (std::size_t k = 0; k < column.extent(1); ++k)
-        permute(Array<double>(Kokkos::subview(column, Kokkos::ALL, k)), source, spare, begin, end);
-    });
-    const Array<std::int64_t> spare_id(reinterpret_cast<std::int64_t*>(spare.data()),
-                                       spare.extent(0));
-    permute(particles.id, source, spare_id, begin, end);
-  }
+  Kokkos::parallel_reduce("lay tiles", Kokkos::RangePolicy<Space>(0, layout.rows),
+                          LayTiles<G::dim>{layout, first, source, tiled, particles.order},
+                          Kokkos::MinMax<int>(moved));
+  Kokkos::parallel_for(
+      "those that have left", Kokkos::RangePolicy<Space>(inside, count),
+      KOKKOS_LAMBDA(const int i) { tiled(i) = source(i); });
+  if (inside < count) moved.max_val = count - 1;
+  moved.min_val = std::min(moved.min_val, inside);
 
-  int inside = 0;
-  Kokkos::deep_copy(inside, Kokkos::subview(first, lattice.size));
+  // Of a few that are out of place only the stretch between the first and the last is rewritten:
+  // ahead of a blast nothing moves.
+  const int begin = moved.min_val, end = moved.max_val + 1;
+  using Column = Array<double>;
+  if (end - begin > count / 2)
+    particles.rotate([&](const Column& from, const Column& to) { permute(from, tiled, to, 0, count); });
+  else if (end > begin)
+    particles.each_slot([&](const Column& column, const Column& spare) {
+      permute(column, tiled, spare, begin, end);
+      const auto stretch = Kokkos::make_pair(begin, end);
+      Kokkos::deep_copy(Kokkos::subview(column, stretch), Kokkos::subview(spare, stretch));
+    });
+
   particles.count = inside;
   return count - inside;
 }

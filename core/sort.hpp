@@ -1,6 +1,6 @@
 #pragma once
-// Particles into the order of their bins: a stable counting sort, so that the order, and with it
-// every sum over particles, is the same for any number of threads.
+// Particles into the order of their bins and tiles: a stable counting sort, so that the order, and
+// with it every sum over particles, is the same for any number of threads.
 #include "core/particles.hpp"
 #include "core/transfer.hpp"
 
@@ -9,7 +9,7 @@ namespace brisance {
 template <class G>
 class Sorter {
  public:
-  /// Sorts by the column `bin` and counts the bins. Particles that have left the domain come to
+  /// Sorts by the column `bin`, which it uses up, and counts the bins. Particles that have left the domain come to
   /// stand behind the rest, from the new `count` on, where they can still be read; returns how many
   /// they are.
   int sort(Particles<G>& particles, const Lattice<G::dim>& lattice);
@@ -18,13 +18,12 @@ class Sorter {
 
   /// Memory of the work arrays. [B]
   std::size_t bytes() const {
-    return (source_.span() + counts_.span()) * sizeof(int) + spare_.span() * sizeof(double);
+    return (source_.span() + counts_.span()) * sizeof(int);
   }
 
  private:
   Array<int> source_;
   Table<int> counts_;  ///< (chunk of particles, bin): first the count, then the next free place
-  Array<double> spare_;
 };
 
 }  // namespace brisance

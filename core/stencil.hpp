@@ -1,30 +1,22 @@
 #pragma once
-// A particle's view of the nodes around it: weights, slopes and arms on the width^dim nodes of its
-// bin, several nodes in a pack.
-#include "core/pack.hpp"
+// How particles see the nodes around them: weights, slopes and arms on the width^dim nodes of their
+// bins, for eight particles in eight bins at once.
 #include "core/particles.hpp"
+#include "core/tile.hpp"
 
 namespace brisance {
 
-/// How nodes fall into packs: those of a line along x in the lanes of one, one pack after the other
-/// for the lines; the two lines of a linear shape together in one. Lanes beyond the width weigh
-/// nothing.
+/// The nodes of a bin, numbered along x first.
 template <int D, int W>
-struct Lanes {
-  static constexpr bool square = D > 1 && W == 2;
-  static constexpr int count = square || W > 2 ? 4 : 2;
-  static constexpr int packed = square ? 2 : 1;  ///< directions that lie in a pack
-  static constexpr int packs = power(W, D - packed);
-
-  KOKKOS_FORCEINLINE_FUNCTION static constexpr bool used(int lane) { return square || lane < W; }
-  /// Position in the stencil along direction d.
-  KOKKOS_FORCEINLINE_FUNCTION static constexpr int digit(int pack, int lane, int d) {
-    if (d < packed) return square ? lane >> d & 1 : lane;
-    return pack / power(W, d - packed) % W;
+struct Around {
+  static constexpr int count = power(W, D);
+  /// Position of node k along direction d.
+  KOKKOS_FORCEINLINE_FUNCTION static constexpr int digit(int k, int d) {
+    return k / power(W, d) % W;
   }
-  KOKKOS_FORCEINLINE_FUNCTION static int offset(const Lattice<D>& lattice, int pack, int lane) {
+  KOKKOS_FORCEINLINE_FUNCTION static int offset(const Lattice<D>& lattice, int k) {
     int sum = 0;
-    for (int d = 0; d < D; ++d) sum += digit(pack, lane, d) * lattice.stride[d];
+    for (int d = 0; d < D; ++d) sum += digit(k, d) * lattice.stride[d];
     return sum;
   }
 };
@@ -32,124 +24,61 @@ struct Lanes {
 template <class G, class S>
 struct Stencil {
   static constexpr int D = G::dim, W = S::width;
-  using L = Lanes<D, W>;
-  static constexpr int packs = L::packs;
-  using P = Pack<L::count>;
+  using N = Around<D, W>;
 
-  /// Along the directions that lie in a pack, and along the others.
-  P w_in[L::packed], slope_in[L::packed], arm_in[L::packed];
-  double w[D][W], slope[D][W], arm_[D][W];
-  double t[D];  ///< place of the particle, in cells from the first node
-  P weight[packs];
+  Wide w[D][W], slope[D][W];  ///< along each direction; slopes per cell
+  Wide t[D];                  ///< places of the particles, in cells from their first nodes
 
-  /// Of particle p in the bin at integer coordinates `base`.
-  KOKKOS_FORCEINLINE_FUNCTION Stencil(const Lattice<D>& lattice, const int (&base)[D],
-                                      const Particles<G>& points, int p) {
-    const double per_h = lattice.per_h;
+  /// Of particles in bins at the integer coordinates `base`.
+  template <class Bundle>
+  KOKKOS_FORCEINLINE_FUNCTION Stencil(const Lattice<D>& lattice, const Wide (&base)[D],
+                                      const Particles<G>& points, const Bundle& b) {
     for (int d = 0; d < D; ++d) {
-      const double at = lattice.in_cells(points.position(p, d), d) - base[d];
-      t[d] = at;
-      double half = 0;
-      if constexpr (S::sized) half = points.half_length(p, d, lattice.h);
-      if (d < L::packed && S::degree > 0) {
-        pack(d, at - S::centre, per_h);
-      } else {
-        S::at(at, half, w[d], slope[d]);
-        for (int k = 0; k < W; ++k) slope[d][k] *= per_h;
-        if (d < L::packed) pack(d);
-      }
-      if (d < L::packed)
-        arm_in[d] = (digits(d) - P(at)) * P(lattice.h);
-      else
-        for (int k = 0; k < W; ++k) arm_[d][k] = (k - at) * lattice.h;
-    }
-    for (int k = 0; k < packs; ++k) {
-      weight[k] = w_in[0];
-      for (int d = 1; d < D; ++d) weight[k] *= along(w_in, w, k, d);
+      t[d] = (points.get(points.position, b, d) - lattice.origin[d]) * lattice.per_h - base[d];
+      Wide half;
+      if constexpr (S::sized) half = points.half_length(b, d, lattice.h);
+      S::at(t[d], half, w[d], slope[d]);
     }
   }
 
-  /// Component d of the gradient of the weight. [1/m]
-  KOKKOS_FORCEINLINE_FUNCTION P gradient(int k, int d) const {
-    P product = along(slope_in, slope, k, d);
-    for (int e = 0; e < D; ++e)
-      if (e != d) product *= along(w_in, w, k, e);
+  KOKKOS_FORCEINLINE_FUNCTION Wide weight(int k) const {
+    Wide product = w[0][N::digit(k, 0)];
+    for (int d = 1; d < D; ++d) product *= w[d][N::digit(k, d)];
     return product;
   }
 
-  /// From the particle to the node. [m]
-  KOKKOS_FORCEINLINE_FUNCTION P arm(int k, int d) const { return along(arm_in, arm_, k, d); }
-
- private:
-  KOKKOS_FORCEINLINE_FUNCTION static P along(const P (&in)[L::packed], const double (&out)[D][W],
-                                             int k, int d) {
-    return d < L::packed ? in[d] : P(out[d][L::digit(k, 0, d)]);
+  /// Component d of the gradient of the weight. [1/cell]
+  KOKKOS_FORCEINLINE_FUNCTION Wide gradient(int k, int d) const {
+    Wide product = slope[d][N::digit(k, d)];
+    for (int e = 0; e < D; ++e)
+      if (e != d) product *= w[e][N::digit(k, e)];
+    return product;
   }
 
-  KOKKOS_FORCEINLINE_FUNCTION static P digits(int d) {
-    double k[L::count];
-    for (int lane = 0; lane < L::count; ++lane) k[lane] = L::digit(0, lane, d);
-    return P::of(k);
-  }
-
-  /// The coefficients of x^m of all lanes.
-  KOKKOS_FORCEINLINE_FUNCTION static P coefficients(int m, int d) {
-    double c[L::count];
-    for (int lane = 0; lane < L::count; ++lane)
-      c[lane] = L::used(lane) ? S::coefficient(L::digit(0, lane, d), m) : 0;
-    return P::of(c);
-  }
-
-  /// Polynomials in x, the place from the shape's centre.
-  KOKKOS_FORCEINLINE_FUNCTION void pack(int d, double x, double per_h) {
-    P value = coefficients(S::degree, d), rate;
-    for (int m = S::degree; m > 0; --m) {
-      rate = rate * P(x) + value;
-      value = value * P(x) + coefficients(m - 1, d);
-    }
-    w_in[d] = value;
-    slope_in[d] = rate * P(per_h);
-  }
-
-  /// Of a shape that is no polynomial, from what stands in w and slope.
-  KOKKOS_FORCEINLINE_FUNCTION void pack(int d) {
-    double value[L::count] = {}, rate[L::count] = {};
-    for (int lane = 0; lane < L::count; ++lane) {
-      if (!L::used(lane)) continue;
-      value[lane] = w[d][L::digit(0, lane, d)];
-      rate[lane] = slope[d][L::digit(0, lane, d)];
-    }
-    w_in[d] = P::of(value);
-    slope_in[d] = P::of(rate);
-  }
+  /// From the particle to the node. [cells]
+  KOKKOS_FORCEINLINE_FUNCTION Wide arm(int k, int d) const { return N::digit(k, d) - t[d]; }
 };
 
-/// The nodes of a bin, their values loaded once for all its particles.
+/// Values at the nodes of the bins of a tile, loaded or summed once for all its particles.
 template <class G, class S, int C>
 struct Nodes {
-  using L = Lanes<G::dim, S::width>;
-  using P = Pack<L::count>;
-  P value[C][L::packs];
+  static constexpr int D = G::dim;
+  using N = Around<D, S::width>;
+  Wide value[C][N::count];
 
   Nodes() = default;
-  KOKKOS_FORCEINLINE_FUNCTION Nodes(const Table<double>& field, const Lattice<G::dim>& lattice,
-                                    int bin, int column = 0) {
+  KOKKOS_FORCEINLINE_FUNCTION Nodes(const Table<double>& field, const Lattice<D>& lattice,
+                                    const Tile& tile, int column = 0) {
     for (int c = 0; c < C; ++c)
-      for (int k = 0; k < L::packs; ++k) {
-        double here[L::count] = {};
-        for (int lane = 0; lane < L::count; ++lane)
-          if (L::used(lane)) here[lane] = field(bin + L::offset(lattice, k, lane), column + c);
-        value[c][k] = P::of(here);
-      }
+      for (int k = 0; k < N::count; ++k)
+        value[c][k] = tile.read(field, column + c, N::offset(lattice, k));
   }
 
   template <class To>
-  KOKKOS_FORCEINLINE_FUNCTION void add_to(const To& to, const Lattice<G::dim>& lattice, int bin,
+  KOKKOS_FORCEINLINE_FUNCTION void add_to(const To& to, const Lattice<D>& lattice, const Tile& tile,
                                           int column = 0) const {
-    for (int c = 0; c < C; ++c)
-      for (int k = 0; k < L::packs; ++k)
-        for (int lane = 0; lane < L::count; ++lane)
-          if (L::used(lane)) to(bin + L::offset(lattice, k, lane), column + c) += value[c][k][lane];
+    for (int k = 0; k < N::count; ++k)
+      for (int c = 0; c < C; ++c) tile.add(to, column + c, N::offset(lattice, k), value[c][k]);
   }
 };
 
@@ -157,40 +86,50 @@ struct Nodes {
 template <class G, class S, int C, bool linear = S::width == 2>
 class Interpolant {
  public:
-  static constexpr int packs = Nodes<G, S, C>::L::packs;
-  using P = typename Nodes<G, S, C>::P;
+  using At = Stencil<G, S>;
+  using N = typename At::N;
+  static constexpr int D = G::dim;
 
   Interpolant() = default;
   KOKKOS_FORCEINLINE_FUNCTION explicit Interpolant(const Nodes<G, S, C>& nodes) : nodes_(nodes) {}
 
-  KOKKOS_FORCEINLINE_FUNCTION double at(const Stencil<G, S>& at, int c) const {
-    P sum;
-    for (int k = 0; k < packs; ++k) sum += at.weight[k] * nodes_.value[c][k];
-    return sum.sum();
-  }
-  /// Along direction d. [1/m]
-  KOKKOS_FORCEINLINE_FUNCTION double slope(const Stencil<G, S>& at, int c, int d, double) const {
-    P sum;
-    for (int k = 0; k < packs; ++k) sum += at.gradient(k, d) * nodes_.value[c][k];
-    return sum.sum();
+  KOKKOS_FORCEINLINE_FUNCTION Wide at(const At& at, int c) const { return sum(at, c, D); }
+  /// Along direction d. [1/cell]
+  KOKKOS_FORCEINLINE_FUNCTION Wide slope(const At& at, int c, int d) const {
+    return sum(at, c, d);
   }
 
  private:
   Nodes<G, S, C> nodes_;
+
+  /// With slopes in place of weights along direction d, line by line.
+  KOKKOS_FORCEINLINE_FUNCTION Wide sum(const At& at, int c, int d) const {
+    constexpr int W = S::width;
+    Wide all;
+    for (int line = 0; line < power(W, D - 1); ++line) {
+      Wide part;
+      for (int i = 0; i < W; ++i)
+        part += (d == 0 ? at.slope : at.w)[0][i] * nodes_.value[c][line * W + i];
+      for (int e = 1; e < D; ++e)
+        part *= (d == e ? at.slope : at.w)[e][line / power(W, e - 1) % W];
+      all += part;
+    }
+    return all;
+  }
 };
 
-/// Of the linear shape, as the polynomial that it is: c0 + c1 x + y (c2 + c3 x), which takes a
-/// third of the instructions of a sum over the nodes.
+/// Of the linear shape, as the polynomial that it is: c0 + c1 x + y (c2 + c3 x).
 template <class G, class S, int C>
 class Interpolant<G, S, C, true> {
  public:
+  using At = Stencil<G, S>;
   static constexpr int D = G::dim;
   static_assert(D < 3, "three directions need eight coefficients");
 
   Interpolant() = default;
   KOKKOS_FORCEINLINE_FUNCTION explicit Interpolant(const Nodes<G, S, C>& nodes) {
     for (int c = 0; c < C; ++c) {
-      const auto& v = nodes.value[c][0];
+      const auto& v = nodes.value[c];
       c_[c][0] = v[0];
       c_[c][1] = v[1] - v[0];
       if constexpr (D == 2) {
@@ -200,37 +139,33 @@ class Interpolant<G, S, C, true> {
     }
   }
 
-  KOKKOS_FORCEINLINE_FUNCTION double at(const Stencil<G, S>& at, int c) const {
-    double sum = c_[c][0] + c_[c][1] * at.t[0];
+  KOKKOS_FORCEINLINE_FUNCTION Wide at(const At& at, int c) const {
+    Wide sum = c_[c][0] + c_[c][1] * at.t[0];
     if constexpr (D == 2) sum += at.t[1] * (c_[c][2] + c_[c][3] * at.t[0]);
     return sum;
   }
-  KOKKOS_FORCEINLINE_FUNCTION double slope(const Stencil<G, S>& at, int c, int d,
-                                           double per_h) const {
+  KOKKOS_FORCEINLINE_FUNCTION Wide slope(const At& at, int c, int d) const {
     if constexpr (D == 1)
-      return c_[c][1] * per_h;
+      return c_[c][1];
     else
-      return (c_[c][1 + d] + c_[c][3] * at.t[1 - d]) * per_h;
+      return c_[c][1 + d] + c_[c][3] * at.t[1 - d];
   }
   /// At the centre of the cell.
-  KOKKOS_FORCEINLINE_FUNCTION double centre_slope(int c, int d, double per_h) const {
+  KOKKOS_FORCEINLINE_FUNCTION Wide centre_slope(int c, int d) const {
     if constexpr (D == 1)
-      return c_[c][1] * per_h;
+      return c_[c][1];
     else
-      return (c_[c][1 + d] + 0.5 * c_[c][3]) * per_h;
+      return c_[c][1 + d] + 0.5 * c_[c][3];
   }
 
  private:
-  double c_[C][power(2, D)] = {};
+  Wide c_[C][power(2, D)];
 };
 
-/// Component d of the gradient of the linear weights at the centre of a cell. [1/m]
+/// Component d of the gradient of the linear weights at the centre of a cell. [1/cell]
 template <class G>
-KOKKOS_FORCEINLINE_FUNCTION auto centre_gradient(int pack, int d, double per_h) {
-  using L = Lanes<G::dim, 2>;
-  double sign[L::count];
-  for (int lane = 0; lane < L::count; ++lane) sign[lane] = L::digit(pack, lane, d) == 1 ? 1 : -1;
-  return Pack<L::count>::of(sign) * Pack<L::count>(per_h / power(2, G::dim - 1));
+KOKKOS_FORCEINLINE_FUNCTION constexpr double centre_gradient(int k, int d) {
+  return (Around<G::dim, 2>::digit(k, d) == 1 ? 1. : -1.) / power(2, G::dim - 1);
 }
 
 }  // namespace brisance

@@ -25,16 +25,21 @@ class Step {
     }
     if (s.scheme.midpoint) return;
     momentum_to_grid();
-    for (auto& g : s.groups) g->transfer->gather_gradient(sweep, g->particles, s.grid.before);
+    for (auto& g : s.groups) {
+      g->transfer->gather_gradient(sweep, g->particles, s.grid.before);
+      g->find_signals(sweep);
+    }
     sweep.run();
   }
 
   double begin() {
+    if (s.force_early()) scatter_force(s.spare);
     momentum_to_grid();
-    for (auto& g : s.groups) {
-      if (s.scheme.midpoint) g->transfer->gather_gradient(sweep, g->particles, s.grid.before);
-      g->find_signals(sweep);
-    }
+    if (s.scheme.midpoint)
+      for (auto& g : s.groups) {
+        g->transfer->gather_gradient(sweep, g->particles, s.grid.before);
+        g->find_signals(sweep);
+      }
     know_cells();
     double fastest = 0;
     for (auto& g : s.groups) {
@@ -78,6 +83,7 @@ class Step {
     for (auto& g : s.groups) {
       g->transfer->gradient_and_move(sweep, g->particles, s.grid, s.grid.before, dt);
       g->update(sweep, s.grid, dt);
+      g->find_signals(sweep);
       g->transfer->find_bins(sweep, g->particles);
     }
     sweep.run();
@@ -124,7 +130,7 @@ class Step {
         if (g->velocity_class == static_cast<int>(c))
           g->transfer->scatter_momentum(sweep, g->particles, s.sums);
       sweep.run();
-      s.stopped[c] = collect(D + 1, s.grid.image_mass[c]);
+      s.stopped[c] = collect(s.sums, D + 1, s.grid.image_mass[c]);
       const auto own = s.grid.own[c], total = s.sums.total;
       Kokkos::parallel_for(
           "nodal velocity", nodes(), KOKKOS_LAMBDA(const int n) {
@@ -177,16 +183,21 @@ class Step {
     if (s.grid.smoothness.extent(0) > 0) limit_cells(s.grid);
   }
 
+  void scatter_force(Accumulator& sums) {
+    sums.clear();
+    for (auto& g : s.groups)
+      g->transfer->scatter_force(sweep, g->particles, s.grid, g->stress(), sums);
+  }
+
   /// grid.after <- grid.before + dt f / m, after what the sweep holds.
   void force_to_grid() {
-    s.sums.clear();
-    for (auto& g : s.groups)
-      g->transfer->scatter_force(sweep, g->particles, s.grid, g->stress(), s.sums);
+    Accumulator& sums = s.force_early() ? s.spare : s.sums;
+    if (!s.force_early()) scatter_force(sums);
     sweep.run();
-    push_walls(collect(D), dt);
-    if (!s.springs.empty()) push_walls(s.springs.pull(s.grid, s.sums.total, dt), 1);
+    push_walls(collect(sums, D), dt);
+    if (!s.springs.empty()) push_walls(s.springs.pull(s.grid, sums.total, dt), 1);
     for (std::size_t c = 0; c < s.grid.own.size(); ++c) push_walls(images(s.grid.before, c), 1);
-    const auto before = s.grid.before, after = s.grid.after, force = s.sums.total;
+    const auto before = s.grid.before, after = s.grid.after, force = sums.total;
     const double step = dt;
     Kokkos::parallel_for(
         "move grid", nodes(), KOKKOS_LAMBDA(const int n) {
@@ -200,13 +211,13 @@ class Step {
 
   /// Sums of all threads, ranks and mirror images: of forces (D columns), or momentum and mass.
   /// Returns what walls, and gas that sleeps, have stopped.
-  Vec<D> collect(int columns, const Table<double>& image_mass = {}) {
-    s.sums.contribute();
-    if (s.sleep.any() && columns == D) s.sleep.press(s.sums);
-    others.sum(s.sums);
-    Vec<D> stopped = fold(s.sums.total, D, columns, s.grid.lattice, s.grid.boundaries, image_mass);
-    const Vec<D> held = constrain(s.sums.total, s.grid.lattice, s.grid.boundaries);
-    const Vec<D> still = s.sleep.any() ? s.sleep.hold(s.sums.total) : Vec<D>();
+  Vec<D> collect(Accumulator& sums, int columns, const Table<double>& image_mass = {}) {
+    sums.contribute();
+    if (s.sleep.any() && columns == D) s.sleep.press(sums);
+    others.sum(sums);
+    Vec<D> stopped = fold(sums.total, D, columns, s.grid.lattice, s.grid.boundaries, image_mass);
+    const Vec<D> held = constrain(sums.total, s.grid.lattice, s.grid.boundaries);
+    const Vec<D> still = s.sleep.any() ? s.sleep.hold(sums.total) : Vec<D>();
     if (columns == D) s.sleep.note(still, dt);
     for (int d = 0; d < D; ++d) stopped[d] += held[d] + still[d];
     return stopped;

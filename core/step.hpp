@@ -1,5 +1,7 @@
 #pragma once
 // One time step, the algorithm on one screen (step.cpp).
+#include <algorithm>
+
 #include "core/group.hpp"
 #include "core/relaxation.hpp"
 #include "core/sleep.hpp"
@@ -40,7 +42,7 @@ struct State {
   std::vector<std::unique_ptr<Group<G>>> groups;
   StepScheme scheme;
   Accumulator sums;
-  Accumulator spare;  ///< of relaxations, which read one while they write the other
+  Accumulator spare;  ///< of relaxations, which read one while they write the other, or of forces
   Accumulator means;  ///< of stress; empty unless the scheme relaxes it
   Sorter<G> sorter;
   Springs<G> springs;
@@ -62,8 +64,13 @@ struct State {
       : grid(grid_),
         scheme(scheme_),
         sums(grid_.lattice.size, D + (grid_.mixed() ? 2 : 1), scheme_.summation),
-        spare(scheme_.rates.any() ? grid_.lattice.size : 0, 2, scheme_.summation),
+        spare(scheme_.rates.any() || force_early() ? grid_.lattice.size : 0, std::max(2, D),
+              scheme_.summation),
         means(scheme_.relaxes_stress ? grid_.lattice.size : 0, 4, scheme_.summation) {}
+
+  /// Whether forces are summed together with momenta, as the stress of MUSL allows unless it is
+  /// scaled by what cells hold: saves another look at the particles.
+  bool force_early() const { return !scheme.midpoint && grid.scale.extent(0) == 0; }
 
   /// Those that sleep included.
   long particles() const {

@@ -21,12 +21,6 @@ struct TransferChoice {
 /// The rule that a choice breaks, or nothing.
 std::string broken_rule(const TransferChoice& choice);
 
-/// One column of a table of particles.
-struct Entry {
-  Table<double> table;
-  int column;
-};
-
 template <class G>
 class Transfer {
  public:
@@ -88,9 +82,9 @@ class Transfer {
   virtual void subtract_means(Sweep<D>&, const Particles<G>&, const Table<double>& field,
                               const Table<double>& values) const = 0;
 
-  /// value <- keep * value + factor * sum over nodes of N field(node, column).
-  virtual void gather_scalar(Sweep<D>&, const Particles<G>&, const Table<double>& field, int column,
-                             Entry value, double keep, double factor) const = 0;
+  /// value <- keep * value + factor * sum over nodes of N field.
+  virtual void gather_scalar(Sweep<D>&, const Particles<G>&, Entry field, Entry value, double keep,
+                             double factor) const = 0;
 };
 
 template <class G>

@@ -17,8 +17,7 @@ struct Midpoint {
   using R = Rows<G, M>;
   using S = typename M::Shape;
   using At = typename R::At;
-  using P = typename R::P;
-  static constexpr int D = G::dim, packs = R::packs;
+  static constexpr int D = G::dim, nodes = R::nodes;
   using Field = Nodes<G, S, D>;
   template <int C>
   using Smooth = Interpolant<G, S, C>;
@@ -29,52 +28,57 @@ struct Midpoint {
   double flip, dt;
 
   KOKKOS_INLINE_FUNCTION void operator()(const Row<D>& row) const {
-    rows.for_bins(row, [&](int bin, int begin, int end, const int(&base)[D]) {
-      const Field v0(before, rows.lattice, bin), v1(after, rows.lattice, bin),
-          mine(own, rows.lattice, bin);
+    const Particles<G>& points = rows.points;
+    rows.for_tiles(row, [&](const Tile& tile, const typename R::Base& base) {
+      const Field v0(before, rows.lattice, tile), v1(after, rows.lattice, tile),
+          mine(own, rows.lattice, tile);
       Field change, half;
       for (int i = 0; i < D; ++i)
-        for (int k = 0; k < packs; ++k) {
+        for (int k = 0; k < nodes; ++k) {
           change.value[i][k] = v1.value[i][k] - v0.value[i][k];
-          half.value[i][k] = P(0.5) * (v1.value[i][k] + v0.value[i][k]);
+          half.value[i][k] = 0.5 * (v1.value[i][k] + v0.value[i][k]);
         }
-      const typename R::Around middle(half);
+      const typename R::Velocities middle(half);
       const Transferred transferred(mine, change);
-      const double fill = M::cells ? scale(bin, 0) : 1;
-      double heat = 0, mass = 0;
-      for (int p = begin; p < end; ++p) {
-        const At at = rows.stencil(base, p);
-        const Mat<D> gradient = rows.velocity_gradient(middle, at);
-        const double m = rows.points.m(p);
+      Wide fill = 1;
+      if constexpr (M::cells) fill = tile.read(scale, 0, 0);
+      Wide heat, mass;
+      tile.for_bundles([&](const auto& b) BRISANCE_INLINE {
+        const At at = rows.stencil(base, b);
+        const auto gradient = rows.velocity_gradient(middle, at);
+        const Wide m = points.get(points.mass, b);
         mass += m;
-        heat += m * velocity(p, at, transferred);
-        const double power = contract(rows.points.template sigma<kind>(rows.points.acting, p),
-                                      strain_rate<G>(gradient));
-        rows.points.work(p, 0) = power * fill * rows.points.vol(p) * dt / m;
-        rows.points.set_matrix(rows.points.gradient, p, gradient);
-        rows.points.stretch(p, gradient, dt);
-        rows.move(p, R::mean(middle.smooth, at), dt, ends);
-      }
+        heat += m * velocity(b, at, transferred);
+        const Wide power = contract(points.template sigma<kind>(points.acting, b),
+                                    strain_rate<G>(gradient));
+        points.put(points.work, b, 0,
+                   power * fill * points.get(points.volume, b) * dt / b.divisor(m));
+        points.set_matrix(points.gradient, b, gradient);
+        points.stretch(b, dt);
+        rows.move(b, middle.smooth, at, dt, ends);
+      });
       // Shared by all of the bin: given to each its own, it would burn light particles beside heavy
       // ones.
-      const double shared = heat / mass;
-      for (int p = begin; p < end; ++p) rows.points.work(p, 0) += shared;
+      const Wide shared = heat / select(mass > Wide(0), mass, 1);
+      tile.for_bundles([&](const auto& b) BRISANCE_INLINE {
+        points.put(points.work, b, 0, points.get(points.work, b) + shared);
+      });
     });
   }
 
-  /// FLIP, of a bin: the velocities of the particle's own class before the step, from that of the
-  /// first node, whose squares then are as small as their differences; and the changes.
+  /// FLIP, of a tile: the velocities of the particles' own class before the step, from that of the
+  /// first node of each bin, whose squares then are as small as their differences; and the changes.
   struct Flip {
-    double origin[D];
+    Wide origin[D];
     Smooth<D> mine, change;
     Smooth<1> mine2, change2;
-    KOKKOS_FORCEINLINE_FUNCTION Flip(const Field& nodes, const Field& changes) {
+    KOKKOS_FORCEINLINE_FUNCTION Flip(const Field& at_nodes, const Field& changes) {
       Field apart;
       Nodes<G, S, 1> squares, squares_of_change;
       for (int i = 0; i < D; ++i) {
-        origin[i] = nodes.value[i][0][0];
-        for (int k = 0; k < packs; ++k) {
-          const P a = nodes.value[i][k] - P(origin[i]), c = changes.value[i][k];
+        origin[i] = at_nodes.value[i][0];
+        for (int k = 0; k < nodes; ++k) {
+          const Wide a = at_nodes.value[i][k] - origin[i], c = changes.value[i][k];
           apart.value[i][k] = a;
           squares.value[0][k] += a * a;
           squares_of_change.value[0][k] += c * c;
@@ -90,13 +94,15 @@ struct Midpoint {
   /// With the share b = 1 - flip drawn to the velocity field of the particle's own class. Returns
   /// the kinetic energy per mass that this loses: (sum N |dv|^2 - |D|^2) / 2 + b (sum N
   /// |v_p - v_i|^2 + D . d) - b^2 |d|^2 / 2, D = sum N dv, d = v_p - sum N v_i.
-  KOKKOS_FORCEINLINE_FUNCTION double velocity(int p, const At& at, const Flip& of) const {
-    const double b = 1 - flip;
-    double gain2 = 0, drift2 = 0, both = 0, spread2 = of.mine2.at(at, 0);
+  template <class Bundle>
+  KOKKOS_FORCEINLINE_FUNCTION Wide velocity(const Bundle& p, const At& at, const Flip& of) const {
+    const Particles<G>& points = rows.points;
+    const Wide b = 1 - flip;
+    Wide gain2, drift2, both, spread2 = of.mine2.at(at, 0);
     for (int i = 0; i < D; ++i) {
-      const double v = rows.points.velocity(p, i), gain = of.change.at(at, i),
-                   mean = of.mine.at(at, i), apart = v - of.origin[i], drift = apart - mean;
-      rows.points.velocity(p, i) = v + gain - b * drift;
+      const Wide v = points.get(points.velocity, p, i), gain = of.change.at(at, i),
+                 mean = of.mine.at(at, i), apart = v - of.origin[i], drift = apart - mean;
+      points.put(points.velocity, p, i, v + gain - b * drift);
       gain2 += gain * gain;
       drift2 += drift * drift;
       both += gain * drift;
@@ -105,47 +111,54 @@ struct Midpoint {
     return 0.5 * (of.change2.at(at, 0) - gain2) + b * (spread2 + both) - 0.5 * b * b * drift2;
   }
 
-  /// APIC, of a bin: the velocities before, and before with the changes.
+  /// APIC, of a tile: the velocities before, and before with the changes.
   struct Apic {
     Field mine, with_change;
-    KOKKOS_FORCEINLINE_FUNCTION Apic(const Field& nodes, const Field& changes) : mine(nodes) {
+    KOKKOS_FORCEINLINE_FUNCTION Apic(const Field& at_nodes, const Field& changes)
+        : mine(at_nodes) {
       for (int i = 0; i < D; ++i)
-        for (int k = 0; k < packs; ++k)
-          with_change.value[i][k] = nodes.value[i][k] + changes.value[i][k];
+        for (int k = 0; k < nodes; ++k)
+          with_change.value[i][k] = at_nodes.value[i][k] + changes.value[i][k];
     }
   };
 
   /// Jiang et al. (2015): w_i = v_i + dv_i; v_p = sum N w, C = sum N w r / inertia. Returns the
-  /// loss sum N (|v_p + C r - v_i|^2 before + |w_i - v_p - C r|^2 after) / 2.
-  KOKKOS_FORCEINLINE_FUNCTION double velocity(int p, const At& at, const Apic& of) const {
-    const Vec<D> old = rows.points.v(p);
-    const Mat<D> old_affine = rows.points.matrix(rows.points.affine, p);
-    const double per_inertia = square(rows.lattice.per_h) / S::affine_inertia;
-    Vec<D> v;
-    Mat<D> affine;
-    for (int i = 0; i < D; ++i) {
-      P sum, turn[D];
-      for (int k = 0; k < packs; ++k) {
-        const P share = at.weight[k] * of.with_change.value[i][k];
-        sum += share;
-        for (int j = 0; j < D; ++j) turn[j] += share * at.arm(k, j);
-      }
-      v[i] = sum.sum();
-      for (int j = 0; j < D; ++j) affine(i, j) = turn[j].sum() * per_inertia;
-    }
-    P loss;
-    for (int k = 0; k < packs; ++k)
+  /// loss sum N (|v_p + C r - v_i|^2 before + |w_i - v_p - C r|^2 after) / 2. Affine fields are
+  /// counted per cell here.
+  template <class Bundle>
+  KOKKOS_FORCEINLINE_FUNCTION Wide velocity(const Bundle& b, const At& at, const Apic& of) const {
+    const Particles<G>& points = rows.points;
+    const double h = rows.lattice.h, per_h = rows.lattice.per_h;
+    Wide old[D], v[D];
+    MatOf<Wide, D> old_affine = points.matrix(points.affine, b), affine;
+    for (int i = 0; i < D; ++i) old[i] = points.get(points.velocity, b, i);
+    for (int k = 0; k < D * D; ++k) old_affine.a[k] *= h;
+    for (int k = 0; k < nodes; ++k) {
+      const Wide weight = at.weight(k);
       for (int i = 0; i < D; ++i) {
-        P early = P(old[i]) - of.mine.value[i][k], late = of.with_change.value[i][k] - P(v[i]);
-        for (int j = 0; j < D; ++j) {
-          early += P(old_affine(i, j)) * at.arm(k, j);
-          late = late - P(affine(i, j)) * at.arm(k, j);
-        }
-        loss += at.weight[k] * (early * early + late * late);
+        const Wide share = weight * of.with_change.value[i][k];
+        v[i] += share;
+        for (int j = 0; j < D; ++j) affine(i, j) += share * at.arm(k, j);
       }
-    rows.points.store(rows.points.velocity, p, v);
-    rows.points.set_matrix(rows.points.affine, p, affine);
-    return 0.5 * loss.sum();
+    }
+    for (int k = 0; k < D * D; ++k) affine.a[k] *= 1 / S::affine_inertia;
+    Wide loss;
+    for (int k = 0; k < nodes; ++k) {
+      Wide here;
+      for (int i = 0; i < D; ++i) {
+        Wide early = old[i] - of.mine.value[i][k], late = of.with_change.value[i][k] - v[i];
+        for (int j = 0; j < D; ++j) {
+          early += old_affine(i, j) * at.arm(k, j);
+          late -= affine(i, j) * at.arm(k, j);
+        }
+        here += early * early + late * late;
+      }
+      loss += at.weight(k) * here;
+    }
+    for (int i = 0; i < D; ++i) points.put(points.velocity, b, i, v[i]);
+    for (int k = 0; k < D * D; ++k) affine.a[k] *= per_h;
+    points.set_matrix(points.affine, b, affine);
+    return 0.5 * loss;
   }
 
   using Transferred = std::conditional_t<M::affine, Apic, Flip>;

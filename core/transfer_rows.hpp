@@ -1,6 +1,6 @@
 #pragma once
-// The transfers as functions of a row of bins; a whole bin is summed before it is scattered.
-// Equation numbers are those of Appendix A of Hu & Chen (2006).
+// The transfers as functions of a row of bins, eight bins at a time; a bin is summed before it is
+// scattered. Equation numbers are those of Appendix A of Hu & Chen (2006).
 #include "core/geometry.hpp"
 #include "core/grid.hpp"
 #include "core/particles.hpp"
@@ -22,108 +22,97 @@ struct Rows {
   static constexpr int D = G::dim;
   using S = typename M::Shape;
   using At = Stencil<G, S>;
-  using P = typename At::P;
-  static constexpr int packs = At::packs;
+  static constexpr int nodes = At::N::count;
   template <int C>
   using Field = Nodes<G, S, C>;
   template <int C>
   using Smooth = Interpolant<G, S, C>;
+  using Base = Wide[D];
 
-  /// The velocities of the nodes of a bin.
-  struct Around {
+  /// The velocities of the nodes of a tile.
+  struct Velocities {
     Field<D> nodes;
     Smooth<D> smooth;
-    KOKKOS_FORCEINLINE_FUNCTION explicit Around(const Field<D>& v) : nodes(v), smooth(v) {}
+    KOKKOS_FORCEINLINE_FUNCTION explicit Velocities(const Field<D>& v) : nodes(v), smooth(v) {}
   };
 
   Particles<G> points;
   Lattice<D> lattice;
 
-  /// Calls f(bin, first particle, end, integer coordinates) for the bins of a row that hold
-  /// particles.
+  /// Calls f(tile, integer coordinates of its bins) for the tiles of a row that hold particles.
   template <class F>
-  KOKKOS_INLINE_FUNCTION void for_bins(const Row<D>& row, const F& f) const {
-    if (points.first(row.begin) == points.first(row.end)) return;
-    int base[D];
-    for (int d = 0; d < D; ++d) base[d] = row.base[d];
-    for (int bin = row.begin; bin < row.end; ++bin, ++base[0]) {
-      const int begin = points.first(bin), end = points.first(bin + 1);
-      if (begin < end) f(bin, begin, end, base);
-    }
+  KOKKOS_FORCEINLINE_FUNCTION void for_tiles(const Row<D>& row, const F& f) const {
+    points.for_tiles(row, S::width, [&](const Tile& tile) {
+      Base base;
+      base[0] = tile.digits() + Wide(row.base[0] + (tile.bin - row.begin));
+      for (int d = 1; d < D; ++d) base[d] = row.base[d];
+      f(tile, base);
+    });
   }
 
-  /// Calls f(p) for the particles of a row.
-  template <class F>
-  KOKKOS_INLINE_FUNCTION void for_points(const Row<D>& row, const F& f) const {
-    const int end = points.first(row.end);
-    for (int p = points.first(row.begin); p < end; ++p) f(p);
-  }
-
-  KOKKOS_INLINE_FUNCTION int bin_of(int p) const {
-    int base[D];
-    bool inside = true;
+  /// The bin of a particle, or of each of a bundle; lattice.size outside the domain.
+  template <class I>
+  KOKKOS_FORCEINLINE_FUNCTION auto bin_of(const I& p) const {
+    using T = decltype(points.get(points.position, p));
+    T bin = 0, out = 0;
     for (int d = 0; d < D; ++d) {
-      const double at = lattice.in_cells(points.position(p, d), d);
-      inside = inside && at >= 0 && at < lattice.cells[d];
-      base[d] = inside ? S::base(at) : 0;
+      const T at = (points.get(points.position, p, d) - lattice.origin[d]) * lattice.per_h;
+      out = select(at < T(0) || !(at < T(lattice.cells[d])), T(1), out);
+      bin += (S::base(select(out > T(0), T(0), at)) + lattice.halo) * lattice.stride[d];
     }
-    return inside ? lattice.index(base) : lattice.size;
+    return select(out > T(0), T(lattice.size), bin);
   }
 
   KOKKOS_INLINE_FUNCTION void find_bins(const Row<D>& row) const {
-    for_points(row, [&](int p) { points.bin(p) = bin_of(p); });
+    points.for_all(row, [&](const auto& p) BRISANCE_INLINE { points.set_bin(p, bin_of(p)); });
   }
 
-  KOKKOS_FORCEINLINE_FUNCTION At stencil(const int (&base)[D], int p) const {
-    return At(lattice, base, points, p);
+  template <class Bundle>
+  KOKKOS_FORCEINLINE_FUNCTION At stencil(const Base& base, const Bundle& b) const {
+    return At(lattice, base, points, b);
   }
 
   /// Component d of the gradient used for forces and strain rates: of the weights, or by moving
-  /// least squares (N r / inertia).
-  KOKKOS_FORCEINLINE_FUNCTION P gradient(const At& at, int k, int d) const {
+  /// least squares (N r / inertia). [1/cell]
+  KOKKOS_FORCEINLINE_FUNCTION Wide gradient(const At& at, int k, int d) const {
     if constexpr (M::mls)
-      return at.weight[k] * at.arm(k, d) * P(square(lattice.per_h) / S::affine_inertia);
+      return at.weight(k) * at.arm(k, d) * Wide(1 / S::affine_inertia);
     else
       return at.gradient(k, d);
   }
 
   template <int C>
-  KOKKOS_FORCEINLINE_FUNCTION Smooth<C> smooth(const Table<double>& field, int bin,
+  KOKKOS_FORCEINLINE_FUNCTION Smooth<C> smooth(const Table<double>& field, const Tile& tile,
                                                int column = 0) const {
-    return Smooth<C>(Field<C>(field, lattice, bin, column));
-  }
-
-  /// sum over nodes of N v.
-  template <int C>
-  KOKKOS_FORCEINLINE_FUNCTION static Vec<C> mean(const Smooth<C>& v, const At& at) {
-    Vec<C> sum;
-    for (int c = 0; c < C; ++c) sum[c] = v.at(at, c);
-    return sum;
+    return Smooth<C>(Field<C>(field, lattice, tile, column));
   }
 
   /// (A.1), (A.2); with an affine field m (v + C r) as in APIC (Jiang et al. 2015).
   template <class To>
   KOKKOS_INLINE_FUNCTION void momentum(const Row<D>& row, const To& to) const {
-    for_bins(row, [&](int bin, int begin, int end, const int(&base)[D]) {
+    for_tiles(row, [&](const Tile& tile, const Base& base) {
       Field<D + 1> sum;
-      for (int p = begin; p < end; ++p) {
-        const At at = stencil(base, p);
-        const P m(points.m(p));
-        const Vec<D> v = points.v(p);
-        [[maybe_unused]] Mat<D> affine;
-        if constexpr (M::affine) affine = points.matrix(points.affine, p);
-        for (int k = 0; k < packs; ++k) {
-          const P nm = at.weight[k] * m;
+      tile.for_bundles([&](const auto& b) BRISANCE_INLINE {
+        const At at = stencil(base, b);
+        const Wide m = points.get(points.mass, b);
+        Wide v[D];
+        for (int i = 0; i < D; ++i) v[i] = points.get(points.velocity, b, i);
+        [[maybe_unused]] Wide affine[D * D];
+        if constexpr (M::affine)
+          for (int k = 0; k < D * D; ++k)
+            affine[k] = points.get(points.affine, b, k) * Wide(lattice.h);
+        for (int k = 0; k < nodes; ++k) {
+          const Wide nm = at.weight(k) * m;
           sum.value[D][k] += nm;
           for (int i = 0; i < D; ++i) {
-            P u(v[i]);
+            Wide u = v[i];
             if constexpr (M::affine)
-              for (int j = 0; j < D; ++j) u += P(affine(i, j)) * at.arm(k, j);
+              for (int j = 0; j < D; ++j) u += affine[i * D + j] * at.arm(k, j);
             sum.value[i][k] += nm * u;
           }
         }
-      }
-      sum.add_to(to, lattice, bin);
+      });
+      sum.add_to(to, lattice, tile);
     });
   }
 
@@ -132,79 +121,90 @@ struct Rows {
   template <Stress kind, class To>
   KOKKOS_INLINE_FUNCTION void force(const Row<D>& row, const Table<double>& scale,
                                     const To& to) const {
-    for_bins(row, [&](int bin, int begin, int end, const int(&base)[D]) {
+    for_tiles(row, [&](const Tile& tile, [[maybe_unused]] const Base& base) {
       Field<D> sum;
       if constexpr (M::cells) {
-        Sym3 total;
-        for (int p = begin; p < end; ++p) add_stress<kind>(total, p);
-        pull<kind>(sum, total, scale(bin, 0),
-                   [&](int k, int d) { return centre_gradient<G>(k, d, lattice.per_h); });
+        Pull<kind> total;
+        tile.for_bundles([&](const auto& b) BRISANCE_INLINE { total.add(points, b); });
+        total.act(sum, tile.read(scale, 0, 0) * Wide(lattice.per_h),
+                  [&](int k, int d) { return Wide(centre_gradient<G>(k, d)); });
       } else {
-        for (int p = begin; p < end; ++p) {
-          const At at = stencil(base, p);
-          Sym3 total;
-          add_stress<kind>(total, p);
-          pull<kind>(sum, total, 1, [&](int k, int d) { return gradient(at, k, d); });
-        }
+        tile.for_bundles([&](const auto& b) BRISANCE_INLINE {
+          const At at = stencil(base, b);
+          Pull<kind> total;
+          total.add(points, b);
+          total.act(sum, lattice.per_h, [&](int k, int d) { return gradient(at, k, d); });
+        });
       }
-      sum.add_to(to, lattice, bin);
+      sum.add_to(to, lattice, tile);
     });
   }
 
+  /// Stress times volume. [J/m^(3-D)]
   template <Stress kind>
-  KOKKOS_INLINE_FUNCTION void add_stress(Sym3& total, int p) const {
-    const double v = points.vol(p);
-    if constexpr (kind == Stress::pressure) {
-      total[0] -= v * points.acting(p, 0);
-    } else {
-      const Sym3 s = points.template sigma<kind>(points.acting, p);
-      for (int k = 0; k < 6; ++k) total[k] += v * s[k];
+  struct Pull {
+    static constexpr int count = kind == Stress::pressure ? 1 : D * D;
+    Wide s[count];
+
+    template <class Bundle>
+    KOKKOS_FORCEINLINE_FUNCTION void add(const Particles<G>& points, const Bundle& b) {
+      const Wide v = points.get(points.volume, b);
+      if constexpr (kind == Stress::pressure)
+        s[0] -= v * points.get(points.acting, b);
+      else
+        for (int i = 0; i < D; ++i)
+          for (int j = 0; j < D; ++j)
+            s[i * D + j] += v * points.get(points.acting, b, Sym3::at(i, j));
     }
-  }
 
-  template <Stress kind, class Gradient>
-  KOKKOS_INLINE_FUNCTION static void pull(Field<D>& force, const Sym3& s, double factor,
-                                          const Gradient& g) {
-    for (int k = 0; k < packs; ++k)
-      for (int i = 0; i < D; ++i) {
-        if constexpr (kind == Stress::pressure)
-          force.value[i][k] += P(-factor * s[0]) * g(k, i);
-        else
-          for (int j = 0; j < D; ++j) force.value[i][k] += P(-factor * s[Sym3::at(i, j)]) * g(k, j);
-      }
-  }
+    template <class Gradient>
+    KOKKOS_FORCEINLINE_FUNCTION void act(Field<D>& force, const Wide& factor,
+                                         const Gradient& g) const {
+      Wide pull[count];
+      for (int k = 0; k < count; ++k) pull[k] = factor * s[k];
+      for (int k = 0; k < nodes; ++k)
+        for (int i = 0; i < D; ++i) {
+          if constexpr (kind == Stress::pressure)
+            force.value[i][k] -= pull[0] * g(k, i);
+          else
+            for (int j = 0; j < D; ++j) force.value[i][k] -= pull[i * D + j] * g(k, j);
+        }
+    }
+  };
 
-  /// (A.13): sum over nodes of v grad N.
-  KOKKOS_FORCEINLINE_FUNCTION Mat<D> velocity_gradient(const Around& v, const At& at) const {
-    Mat<D> sum;
+  /// (A.13): sum over nodes of v grad N. [1/s]
+  KOKKOS_FORCEINLINE_FUNCTION MatOf<Wide, D> velocity_gradient(const Velocities& v,
+                                                               const At& at) const {
+    MatOf<Wide, D> sum;
     for (int i = 0; i < D; ++i)
       for (int j = 0; j < D; ++j) {
-        if constexpr (M::cells) {
-          sum(i, j) = v.smooth.centre_slope(i, j, lattice.per_h);
-        } else if constexpr (M::mls) {
-          P here;
-          for (int k = 0; k < packs; ++k) here += gradient(at, k, j) * v.nodes.value[i][k];
-          sum(i, j) = here.sum();
-        } else {
-          sum(i, j) = v.smooth.slope(at, i, j, lattice.per_h);
-        }
+        if constexpr (M::cells)
+          sum(i, j) = v.smooth.centre_slope(i, j);
+        else if constexpr (M::mls)
+          for (int k = 0; k < nodes; ++k) sum(i, j) += gradient(at, k, j) * v.nodes.value[i][k];
+        else
+          sum(i, j) = v.smooth.slope(at, i, j);
+        sum(i, j) *= Wide(lattice.per_h);
       }
     return sum;
   }
 
   KOKKOS_INLINE_FUNCTION void gradients(const Row<D>& row, const Table<double>& velocity) const {
-    for_bins(row, [&](int bin, int begin, int end, const int(&base)[D]) {
-      const Around v(Field<D>(velocity, lattice, bin));
-      for (int p = begin; p < end; ++p)
-        points.set_matrix(points.gradient, p, velocity_gradient(v, stencil(base, p)));
+    for_tiles(row, [&](const Tile& tile, const Base& base) {
+      const Velocities v(Field<D>(velocity, lattice, tile));
+      tile.for_bundles([&](const auto& b) BRISANCE_INLINE {
+        points.set_matrix(points.gradient, b, velocity_gradient(v, stencil(base, b)));
+      });
     });
   }
 
   /// A step along the grid velocity (A.9), then what the ends of the domain demand.
-  KOKKOS_FORCEINLINE_FUNCTION void move(int p, const Vec<D>& u, double dt,
-                                        const Ends<D>& ends) const {
+  template <class Bundle>
+  KOKKOS_FORCEINLINE_FUNCTION void move(const Bundle& b, const Smooth<D>& v, const At& at,
+                                        double dt, const Ends<D>& ends) const {
     for (int d = 0; d < D; ++d)
-      points.position(p, d) = ends.settle(d, points.position(p, d) + dt * u[d]);
+      points.put(points.position, b, d,
+                 ends.settle(d, points.get(points.position, b, d) + Wide(dt) * v.at(at, d)));
   }
 
   /// (A.6), (A.8), and a blend of `1 - flip` toward the grid velocity.
@@ -212,145 +212,147 @@ struct Rows {
                                          const Table<double>& after, const Table<double>& own,
                                          double flip) const {
     const double drawn = 1 - flip;
-    for_bins(row, [&](int bin, int begin, int end, const int(&base)[D]) {
-      const Field<D> v0(before, lattice, bin);
-      Field<D> gain(after, lattice, bin);
+    for_tiles(row, [&](const Tile& tile, const Base& base) {
+      const Field<D> v0(before, lattice, tile);
+      Field<D> gain(after, lattice, tile);
       for (int d = 0; d < D; ++d)
-        for (int k = 0; k < packs; ++k) gain.value[d][k] = gain.value[d][k] - v0.value[d][k];
-      const Smooth<D> change(gain), mine = smooth<D>(own, bin);
-      for (int p = begin; p < end; ++p) {
-        const At at = stencil(base, p);
+        for (int k = 0; k < nodes; ++k) gain.value[d][k] -= v0.value[d][k];
+      const Smooth<D> change(gain), mine = smooth<D>(own, tile);
+      tile.for_bundles([&](const auto& b) BRISANCE_INLINE {
+        const At at = stencil(base, b);
         for (int i = 0; i < D; ++i) {
-          const double v = points.velocity(p, i);
-          double drift = 0;
-          if (drawn != 0) drift = v - mine.at(at, i);
-          points.velocity(p, i) = v + change.at(at, i) - drawn * drift;
+          Wide v = points.get(points.velocity, b, i);
+          Wide next = v + change.at(at, i);
+          if (drawn != 0) next -= Wide(drawn) * (v - mine.at(at, i));
+          points.put(points.velocity, b, i, next);
         }
-      }
+      });
     });
   }
 
   KOKKOS_INLINE_FUNCTION void gradient_and_move(const Row<D>& row, const Table<double>& velocity,
                                                 const Table<double>& after, const Ends<D>& ends,
                                                 double dt) const {
-    for_bins(row, [&](int bin, int begin, int end, const int(&base)[D]) {
-      const Smooth<D> v1 = smooth<D>(after, bin);
-      const Around v(Field<D>(velocity, lattice, bin));
-      for (int p = begin; p < end; ++p) {
-        const At at = stencil(base, p);
-        const Mat<D> gradient_ = velocity_gradient(v, at);
-        points.set_matrix(points.gradient, p, gradient_);
-        points.stretch(p, gradient_, dt);
-        move(p, mean(v1, at), dt, ends);
-      }
+    for_tiles(row, [&](const Tile& tile, const Base& base) {
+      const Smooth<D> v1 = smooth<D>(after, tile);
+      const Velocities v(Field<D>(velocity, lattice, tile));
+      tile.for_bundles([&](const auto& b) BRISANCE_INLINE {
+        const At at = stencil(base, b);
+        points.set_matrix(points.gradient, b, velocity_gradient(v, at));
+        points.stretch(b, dt);
+        move(b, v1, at, dt, ends);
+      });
     });
   }
 
   /// sums <- V times the diagonal of L, and V, of the cell that holds each particle.
   template <class To>
   KOKKOS_INLINE_FUNCTION void cells(const Row<D>& row, const To& to) const {
-    const auto add = [&](int cell, const Vec<D + 1>& sum) {
-      for (int c = 0; c <= D; ++c) to(cell, c) += sum.a[c];
-    };
-    const auto add_point = [&](Vec<D + 1>& sum, int p) {
-      const double v = points.vol(p);
-      for (int d = 0; d < D; ++d) sum[d] += v * points.gradient(p, d * D + d);
-      sum[D] += v;
-    };
-    if constexpr (S::width == 2)  // a bin is a cell
-      for_bins(row, [&](int bin, int begin, int end, const int(&)[D]) {
-        Vec<D + 1> sum;
-        for (int p = begin; p < end; ++p) add_point(sum, p);
-        add(bin, sum);
+    constexpr int W = S::holding;
+    using C = Around<D, W>;
+    for_tiles(row, [&](const Tile& tile, const Base& base) {
+      Wide sum[D + 1][C::count];
+      tile.for_bundles([&](const auto& b) BRISANCE_INLINE {
+        const Wide v = points.get(points.volume, b);
+        Wide add[D + 1];
+        for (int d = 0; d < D; ++d) add[d] = v * points.get(points.gradient, b, d * D + d);
+        add[D] = v;
+        for (int k = 0; k < C::count; ++k)
+          for (int c = 0; c <= D; ++c) {
+            if constexpr (W == 1) {
+              sum[c][k] += add[c];
+            } else {
+              WideBool here = holds(b, base, C::digit(k, 0), 0);
+              for (int d = 1; d < D; ++d) here = here && holds(b, base, C::digit(k, d), d);
+              sum[c][k] += select(here, add[c], 0);
+            }
+          }
       });
-    else
-      for_points(row, [&](int p) {
-        Vec<D + 1> sum;
-        add_point(sum, p);
-        add(lattice.cell_of(points.x(p)), sum);
-      });
+      for (int k = 0; k < C::count; ++k)
+        for (int c = 0; c <= D; ++c)
+          tile.add(to, c, C::offset(lattice, k) + first_cell(), sum[c][k]);
+    });
   }
 
   /// sums(column) <- V of each particle, spread over the cells that its shape overlaps.
   template <class To>
   KOKKOS_INLINE_FUNCTION void overlap(const Row<D>& row, int column, const To& to) const {
     constexpr int W = S::cells;
-    for_bins(row, [&](int bin, int begin, int end, const int(&base)[D]) {
-      for (int p = begin; p < end; ++p) {
-        double w[D][W];
+    using C = Around<D, W>;
+    for_tiles(row, [&](const Tile& tile, const Base& base) {
+      Wide sum[C::count];
+      tile.for_bundles([&](const auto& b) BRISANCE_INLINE {
+        const At at = stencil(base, b);
+        Wide w[D][W];
         for (int d = 0; d < D; ++d) {
-          double half = 0;
-          if constexpr (S::sized) half = points.half_length(p, d, lattice.h);
-          S::overlap(lattice.in_cells(points.position(p, d), d) - base[d], half, w[d]);
+          Wide half;
+          if constexpr (S::sized) half = points.half_length(b, d, lattice.h);
+          S::overlap(at.t[d], half, w[d]);
         }
-        for (int k = 0; k < power(W, D); ++k) {
-          int cell = bin;
-          double share = points.vol(p);
-          for (int d = 0; d < D; ++d) {
-            const int digit = k / power(W, d) % W;
-            cell += digit * lattice.stride[d];
-            share *= w[d][digit];
-          }
-          to(cell, column) += share;
+        for (int k = 0; k < C::count; ++k) {
+          Wide share = points.get(points.volume, b);
+          for (int d = 0; d < D; ++d) share *= w[d][C::digit(k, d)];
+          sum[k] += share;
         }
-      }
+      });
+      for (int k = 0; k < C::count; ++k) tile.add(to, column, C::offset(lattice, k), sum[k]);
     });
   }
 
-  template <class To>
-  KOKKOS_INLINE_FUNCTION void mean(const Row<D>& row, const Table<double>& value, int vc,
-                                   const Table<double>& weight, int wc, const To& to) const {
-    for_bins(row, [&](int bin, int begin, int end, const int(&base)[D]) {
-      Field<2> sum;
-      for (int p = begin; p < end; ++p) {
-        const At at = stencil(base, p);
-        const P w(weight(p, wc)), v(value(p, vc));
-        for (int k = 0; k < packs; ++k) {
-          const P share = at.weight[k] * w;
-          sum.value[0][k] += share * v;
-          sum.value[1][k] += share;
-        }
-      }
-      sum.add_to(to, lattice, bin);
-    });
-  }
-
-  template <class To>
-  KOKKOS_INLINE_FUNCTION void means(const Row<D>& row, const Table<double>& values,
+  /// sums <- N w v for C values v (columns 0 .. C-1 of `sums`) and N w (column C).
+  template <int C, class To>
+  KOKKOS_INLINE_FUNCTION void means(const Row<D>& row, Entry value, Entry weight,
                                     const To& to) const {
-    for_bins(row, [&](int bin, int begin, int end, const int(&base)[D]) {
-      Field<4> sum;
-      for (int p = begin; p < end; ++p) {
-        const At at = stencil(base, p);
-        for (int k = 0; k < packs; ++k) {
-          const P share = at.weight[k] * P(values(p, 3));
-          for (int c = 0; c < 3; ++c) sum.value[c][k] += share * P(values(p, c));
-          sum.value[3][k] += share;
+    for_tiles(row, [&](const Tile& tile, const Base& base) {
+      Field<C + 1> sum;
+      tile.for_bundles([&](const auto& b) BRISANCE_INLINE {
+        const At at = stencil(base, b);
+        const Wide w = points.get(weight.table, b, weight.column);
+        Wide v[C];
+        for (int c = 0; c < C; ++c) v[c] = points.get(value.table, b, value.column + c);
+        for (int k = 0; k < nodes; ++k) {
+          const Wide share = at.weight(k) * w;
+          for (int c = 0; c < C; ++c) sum.value[c][k] += share * v[c];
+          sum.value[C][k] += share;
         }
-      }
-      sum.add_to(to, lattice, bin);
+      });
+      sum.add_to(to, lattice, tile);
     });
   }
 
-  KOKKOS_INLINE_FUNCTION void subtract_means(const Row<D>& row, const Table<double>& field,
-                                             const Table<double>& values) const {
-    for_bins(row, [&](int bin, int begin, int end, const int(&base)[D]) {
-      const Smooth<3> f = smooth<3>(field, bin);
-      for (int p = begin; p < end; ++p) {
-        const At at = stencil(base, p);
-        for (int k = 0; k < 3; ++k) values(p, k) -= f.at(at, k);
-      }
-    });
-  }
-
-  KOKKOS_INLINE_FUNCTION void gather(const Row<D>& row, const Table<double>& field, int column,
-                                     const Table<double>& value, int vc, double keep,
+  /// value <- keep * value + factor * sum over nodes of N field, C columns of each.
+  template <int C>
+  KOKKOS_INLINE_FUNCTION void gather(const Row<D>& row, Entry field, Entry value, double keep,
                                      double factor) const {
-    for_bins(row, [&](int bin, int begin, int end, const int(&base)[D]) {
-      const Smooth<1> f = smooth<1>(field, bin, column);
-      for (int p = begin; p < end; ++p)
-        value(p, vc) = keep * value(p, vc) + factor * f.at(stencil(base, p), 0);
+    for_tiles(row, [&](const Tile& tile, const Base& base) {
+      const Smooth<C> f = smooth<C>(field.table, tile, field.column);
+      tile.for_bundles([&](const auto& b) BRISANCE_INLINE {
+        const At at = stencil(base, b);
+        for (int c = 0; c < C; ++c) {
+          const int k = value.column + c;
+          points.put(value.table, b, k,
+                     Wide(keep) * points.get(value.table, b, k) + Wide(factor) * f.at(at, c));
+        }
+      });
     });
+  }
+
+ private:
+  /// The cell that may hold a particle first, seen from its bin.
+  KOKKOS_FORCEINLINE_FUNCTION int first_cell() const {
+    int sum = 0;
+    for (int d = 0; d < D; ++d) sum += S::first_holding * lattice.stride[d];
+    return sum;
+  }
+
+  /// Whether a particle lies, along d, in the k-th cell that may hold it.
+  template <class Bundle>
+  KOKKOS_FORCEINLINE_FUNCTION WideBool holds(const Bundle& b, const Base& base, int k,
+                                             int d) const {
+    const Wide t =
+        (points.get(points.position, b, d) - Wide(lattice.origin[d])) * Wide(lattice.per_h) -
+        base[d] - Wide(S::first_holding + 1);
+    return k == 0 ? t < Wide(0) : !(t < Wide(0));
   }
 };
 

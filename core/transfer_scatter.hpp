@@ -43,23 +43,13 @@ struct ScatterOverlap {
   }
 };
 
-template <class R>
-struct ScatterMean {
+template <class R, int C>
+struct ScatterMeans {
   R rows;
   Entry value, weight;
   template <class To>
   KOKKOS_INLINE_FUNCTION void operator()(const Row<R::D>& row, const To& to) const {
-    rows.mean(row, value.table, value.column, weight.table, weight.column, to);
-  }
-};
-
-template <class R>
-struct ScatterMeans {
-  R rows;
-  Table<double> values;
-  template <class To>
-  KOKKOS_INLINE_FUNCTION void operator()(const Row<R::D>& row, const To& to) const {
-    rows.means(row, values, to);
+    rows.template means<C>(row, value, weight, to);
   }
 };
 

@@ -4,6 +4,13 @@
 #include <Kokkos_ScatterView.hpp>
 #include <cstdint>
 
+/// For the bodies of loops that are given as lambdas: what they sum stays in registers only then.
+#if defined(__GNUC__)
+#define BRISANCE_INLINE __attribute__((always_inline))
+#else
+#define BRISANCE_INLINE
+#endif
+
 namespace brisance {
 
 #if defined(KOKKOS_VERSION) && KOKKOS_VERSION >= 30700
@@ -33,12 +40,19 @@ using math::sqrt;
 
 using Space = Kokkos::DefaultExecutionSpace;
 
+/// Whether kernels run as the program's own threads, which can call one function after another.
+constexpr bool kernels_on_host = std::is_same<Space, Kokkos::DefaultHostExecutionSpace>::value;
+
 /// One value per row; rows of several components are stored component by component, so that a
 /// kernel that walks along a row of cells reads contiguous memory.
 template <class T>
 using Array = Kokkos::View<T*, Space>;
 template <class T>
 using Table = Kokkos::View<T**, Kokkos::LayoutLeft, Space>;
+
+/// The type T in the list of a function's parameters, but not where T is deduced from.
+template <class T>
+using Same = std::common_type_t<T>;
 
 KOKKOS_INLINE_FUNCTION double square(double a) { return a * a; }
 KOKKOS_INLINE_FUNCTION double least(double a, double b) { return a < b ? a : b; }
@@ -66,33 +80,38 @@ KOKKOS_INLINE_FUNCTION double dot(const Vec<D>& u, const Vec<D>& v) {
   return sum;
 }
 
-/// A D x D matrix, row by row; as a velocity gradient L, L(i, j) = d v_i / d x_j.
-template <int D>
-struct Mat {
-  double a[D * D] = {};
-  KOKKOS_INLINE_FUNCTION double& operator()(int i, int j) { return a[i * D + j]; }
-  KOKKOS_INLINE_FUNCTION double operator()(int i, int j) const { return a[i * D + j]; }
+/// A D x D matrix, row by row; as a velocity gradient L, L(i, j) = d v_i / d x_j. T is one number
+/// or several (core/wide.hpp).
+template <class T, int D>
+struct MatOf {
+  T a[D * D] = {};
+  KOKKOS_FORCEINLINE_FUNCTION T& operator()(int i, int j) { return a[i * D + j]; }
+  KOKKOS_FORCEINLINE_FUNCTION T operator()(int i, int j) const { return a[i * D + j]; }
 };
-
 template <int D>
-KOKKOS_INLINE_FUNCTION double trace(const Mat<D>& m) {
-  double sum = 0;
-  for (int d = 0; d < D; ++d) sum += m(d, d);
+using Mat = MatOf<double, D>;
+
+template <class T, int D>
+KOKKOS_FORCEINLINE_FUNCTION T trace(const MatOf<T, D>& m) {
+  T sum = m(0, 0);
+  for (int d = 1; d < D; ++d) sum += m(d, d);
   return sum;
 }
 
 /// A symmetric tensor of three dimensions: xx, yy, zz, xy, yz, zx. Tension positive where it is a
 /// stress.
-struct Sym3 {
-  double a[6] = {};
-  KOKKOS_INLINE_FUNCTION double& operator[](int i) { return a[i]; }
-  KOKKOS_INLINE_FUNCTION double operator[](int i) const { return a[i]; }
+template <class T>
+struct SymOf {
+  T a[6] = {};
+  KOKKOS_FORCEINLINE_FUNCTION T& operator[](int i) { return a[i]; }
+  KOKKOS_FORCEINLINE_FUNCTION T operator[](int i) const { return a[i]; }
 
   /// Where the component (i, j) stands.
-  KOKKOS_INLINE_FUNCTION static constexpr int at(int i, int j) {
+  KOKKOS_FORCEINLINE_FUNCTION static constexpr int at(int i, int j) {
     return i == j ? i : (i + j == 1 ? 3 : (i + j == 3 ? 4 : 5));
   }
 };
+using Sym3 = SymOf<double>;
 
 /// Where the work done on solids has gone: [J/kg] at a point, [J] in all.
 struct Energies {
@@ -106,10 +125,14 @@ struct Energies {
   }
 };
 
-KOKKOS_INLINE_FUNCTION double trace(const Sym3& s) { return s[0] + s[1] + s[2]; }
+template <class T>
+KOKKOS_FORCEINLINE_FUNCTION T trace(const SymOf<T>& s) {
+  return s[0] + s[1] + s[2];
+}
 
 /// a : b, the double contraction.
-KOKKOS_INLINE_FUNCTION double contract(const Sym3& a, const Sym3& b) {
+template <class T>
+KOKKOS_FORCEINLINE_FUNCTION T contract(const SymOf<T>& a, const SymOf<T>& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + 2 * (a[3] * b[3] + a[4] * b[4] + a[5] * b[5]);
 }
 

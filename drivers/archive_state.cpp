@@ -56,6 +56,16 @@ void keep_particles(Archive& archive, Particles<G>& p) {
   });
 }
 
+/// MUSL finds them at the end of a step for the next.
+template <class G>
+void keep_signals(Archive& archive, Group<G>& group, const Lattice<G::dim>& lattice) {
+  Signals fastest;
+  if (!archive.reading()) fastest = group.signals();
+  archive.keep("fastest over grid", fastest.over_grid);
+  archive.keep("fastest in matter", fastest.in_matter);
+  if (archive.reading()) group.set_signals(lattice, fastest);
+}
+
 template <class G>
 void keep_vector(Archive& archive, const std::string& name, Vec<G::dim>& vector) {
   Archive::Doubles values(vector.a, vector.a + G::dim);
@@ -141,6 +151,7 @@ void keep(Archive& archive, State<G>& state) {
       long floors = group->floors();
       archive.keep("floors", floors);
       group->set_floors(floors);
+      if (!state.scheme.midpoint) keep_signals(archive, *group, state.grid.lattice);
       keep_particles(archive, group->particles);
     }
     // Particles are in the order of their bins already, which a stable sort keeps: this finds where

@@ -14,6 +14,8 @@ KOKKOS_INLINE_FUNCTION double spline(double z) {
 
 constexpr double reach = 1.5;  // of the spline, in radii
 
+KOKKOS_INLINE_FUNCTION int round_up(int n, int unit) { return (n + unit - 1) / unit * unit; }
+
 template <int D>
 struct Look {
   Vec<D> place;
@@ -71,8 +73,12 @@ struct Eye {
         rest /= high[d] - low[d] + 1;
       }
       i[0] = low[0];
-      const int begin = lattice.index(i);
-      for (int p = points.first(begin); p < points.first(begin + high[0] - low[0] + 1); ++p)
+      // Whole tiles: their particles do not lie bin by bin.
+      const int bin = lattice.index(i), in_line = i[0] + lattice.halo;
+      const int begin = bin - in_line % Wide::lanes,
+                end = begin + round_up(bin - begin + high[0] - low[0] + 1, Wide::lanes),
+                line_end = bin - in_line + lattice.extent(0);
+      for (int p = points.first(begin); p < points.first(end < line_end ? end : line_end); ++p)
         add(p, place, radius, sum);
     }
   }
@@ -195,8 +201,8 @@ void Riders<G>::carry_with(const Group<G>& group, const State<G>& state, double 
   Sweep<D> sweep(lattice);
   for (int d = 0; d < D; ++d) {
     const Entry v{points_.velocity, d};
-    transfer.gather_scalar(sweep, points_, state.grid.before, d, v, 0, before);
-    transfer.gather_scalar(sweep, points_, state.grid.after, d, v, 1, 1 - before);
+    transfer.gather_scalar(sweep, points_, {state.grid.before, d}, v, 0, before);
+    transfer.gather_scalar(sweep, points_, {state.grid.after, d}, v, 1, 1 - before);
   }
   sweep.run();
   const Particles<G> points = points_;

@@ -11,11 +11,16 @@ struct FluidState;
 
 template <>
 struct FluidState<false> {
-  struct History {
-    double energy = 0;
+  template <class T>
+  struct HistoryOf {
+    T energy = 0;
   };
+  using History = HistoryOf<double>;
   static constexpr int field_count = 1;
-  static constexpr Field<History> fields[field_count] = {{"energy", "J/kg", &History::energy}};
+  template <class T>
+  static constexpr Field<HistoryOf<T>, T> fields_of[field_count] = {
+      {"energy", "J/kg", &HistoryOf<T>::energy}};
+  static constexpr const auto& fields = fields_of<double>;
 };
 
 template <>

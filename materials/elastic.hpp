@@ -7,18 +7,27 @@ namespace brisance {
 struct Elastic : Solid {
   static constexpr const char* name = "elastic";
 
-  struct History {
-    double energy = 0;
+  static constexpr bool wide = true;
+
+  template <class T>
+  struct HistoryOf {
+    T energy = 0;
   };
+  using History = HistoryOf<double>;
   static constexpr int field_count = 1;
-  static constexpr Field<History> fields[field_count] = {{"energy", "J/kg", &History::energy}};
+  template <class T>
+  static constexpr Field<HistoryOf<T>, T> fields_of[field_count] = {
+      {"energy", "J/kg", &HistoryOf<T>::energy}};
+  static constexpr const auto& fields = fields_of<double>;
 
   using Solid::Solid;
   static Teuchos::ParameterList valid_parameters(const Teuchos::ParameterList& given);
 
   KOKKOS_INLINE_FUNCTION History initial(double, double, bool) const { return {}; }
 
-  KOKKOS_INLINE_FUNCTION Response update(const Strain& in, const Sym3& old, History&) const {
+  template <class T>
+  KOKKOS_FORCEINLINE_FUNCTION ResponseOf<T> update(const StrainOf<T>& in, const SymOf<T>& old,
+                                                   HistoryOf<T>&) const {
     return {added(old, in.dt, intact.stress(in.rate)), speed(in.rho1)};
   }
 

@@ -1,5 +1,6 @@
 #pragma once
 // The steps of a fluid: its stress follows from density and energy.
+#include "materials/fluid_stages.hpp"
 #include "materials/group_impl.hpp"
 
 namespace brisance {
@@ -9,7 +10,6 @@ class FluidGroup final : public MaterialGroup<G, M> {
  public:
   using MaterialGroup<G, M>::MaterialGroup;
   using MaterialGroup<G, M>::D;
-  using History = typename M::History;
 
   bool relaxes() const override { return M::thermal; }
 
@@ -20,144 +20,44 @@ class FluidGroup final : public MaterialGroup<G, M> {
   }
 
   void half_step(Sweep<D>& in, const Grid<G>& grid, double dt) override {
-    const Point point = this->point();
-    const Around around(grid);
-    this->each(
-        in, "half step", KOKKOS_LAMBDA(const int p) {
-          const Strain strain = point.strain(p, 0.5 * dt, around);
-          History h = point.load(p);
-          const Response r =
-              point.material.update(strain, point.particles.template sigma<M::stress>(p), h);
-          point.particles.template set_sigma<M::stress>(p, r.stress);
-        });
+    this->each(in, "half step", {&P::gradient, &P::position}, fluid_stages::HalfStep<G>{Around(grid), dt});
   }
 
   void finish(Sweep<D>& in, const Grid<G>& grid, double dt) override {
-    const Point point = this->point();
-    const Around around(grid);
-    this->each(
-        in, "strain", KOKKOS_LAMBDA(const int p) {
-          const Sym3 rate = strain_rate<G>(point.particles.matrix(point.particles.gradient, p));
-          if constexpr (M::burns) {
-            History h = point.load(p);
-            point.material.advance_burn(point.strain(p, dt, around), h);
-            point.save(p, h);
-          }
-          point.particles.vol(p) *= point.growth(rate, dt);
-        });
+    this->each(in, "strain", {&P::gradient}, fluid_stages::Strained<G>{Around(grid), dt});
     receive_energy(in, "receive energy");
   }
 
   void update(Sweep<D>& in, const Grid<G>& grid, double dt) override {
-    const Point point = this->point();
-    const Around around(grid);
-    const bool printed = this->scheme.printed_work;
-    this->each(
-        in, "update", KOKKOS_LAMBDA(const int p) {
-          Strain strain = point.strain(p, dt, around);
-          strain.viscous_before = true;
-          if (printed) strain.volume_change = trace(strain.rate) * dt / strain.rho1;
-          History h = point.load(p);
-          const Response r =
-              point.material.update(strain, point.particles.template sigma<M::stress>(p), h);
-          point.particles.vol(p) *= strain.growth;
-          point.particles.template set_sigma<M::stress>(p, r.stress);
-          point.save(p, h);
-        });
+    this->each(in, "update", {&P::gradient, &P::position},
+               fluid_stages::Update<G>{Around(grid), dt, this->scheme.printed_work});
   }
 
   void correct_volume(Sweep<D>& in, double rate) override {
-    const Point point = this->point();
-    this->each(
-        in, "correct volume", KOKKOS_LAMBDA(const int p) {
-          const double s = point.particles.scratch(p, 0), emptiness = point.particles.scratch(p, 1);
-          if (emptiness > 0 || !(s > 0) || !M::relaxes(point.load(p))) return;
-          const double share = rate * point.material.eos.volume_share;
-          point.particles.vol(p) *= clamp(1 - share * (1 - 1 / s), 0.7, 1.4);
-          point.refresh(p);
-        });
+    this->each(in, "correct volume", {&P::scratch}, fluid_stages::CorrectVolume{rate});
   }
-
   void load_pressure(Sweep<D>& in) override {
-    const Point point = this->point();
-    this->each(
-        in, "load pressure", KOKKOS_LAMBDA(const int p) {
-          point.particles.scratch(p, 0) = -point.particles.template sigma<M::stress>(p)[0];
-        });
+    this->each(in, "load pressure", {&P::scratch}, fluid_stages::LoadPressure{});
   }
-
   void propose_exchange(Sweep<D>& in, double rate, double dt) override {
-    const double h_cell = in.lattice().h;
-    const Point point = this->point();
-    this->each(
-        in, "propose exchange", KOKKOS_LAMBDA(const int p) {
-          const History h = point.load(p);
-          const double pressure = point.pressure(p), smooth = point.smooth_pressure(p);
-          double z = 0;
-          if (pressure > 0 && M::relaxes(h)) {
-            const double rho = point.rho(p), c = point.material.sound_speed(rho, h);
-            const double modulus = rho * c * c * smooth / pressure;
-            const double most_z = 0.3 * least(1, point.particles.m(p) * h.energy /
-                                                     (pressure * point.particles.vol(p)));
-            z = clamp(least(1, rate * dt * c / h_cell) * (pressure - smooth) / modulus, -most_z,
-                      most_z);
-          }
-          point.particles.scratch(p, 1) = z;
-        });
+    this->each(in, "propose exchange", {&P::scratch},
+               fluid_stages::ProposeExchange{rate, dt, in.lattice().h});
   }
-
   void exchange_volume(Sweep<D>& in) override {
-    const Point point = this->point();
-    this->each(
-        in, "exchange volume", KOKKOS_LAMBDA(const int p) {
-          const History h = point.load(p);
-          const double inner = M::relaxes(h) ? point.particles.m(p) * h.energy : 0,
-                       volume = point.particles.vol(p);
-          const double gain = point.particles.scratch(p, 1) * volume;
-          point.particles.scratch(p, 0) = inner > 0 ? point.smooth_pressure(p) * gain / inner : 0;
-          point.particles.scratch(p, 1) = inner;
-          if (inner > 0) point.particles.vol(p) = volume + gain;
-        });
+    this->each(in, "exchange volume", {&P::scratch}, fluid_stages::ExchangeVolume{});
   }
-
   void exchange_energy(Sweep<D>& in) override {
-    const Point point = this->point();
-    this->each(
-        in, "exchange energy", KOKKOS_LAMBDA(const int p) {
-          const History h = point.load(p);
-          point.particles.work(p, 0) =
-              M::relaxes(h) ? -point.particles.scratch(p, 0) * h.energy : 0;
-        });
+    this->each(in, "exchange energy", {&P::scratch, &P::work}, fluid_stages::ExchangeEnergy{});
     receive_energy(in, "receive exchange");
   }
-
   void load_heat(Sweep<D>& in, double rate, double dt) override {
-    const Point point = this->point();
-    this->each(
-        in, "load heat", KOKKOS_LAMBDA(const int p) {
-          const double compression = -trace(point.particles.matrix(point.particles.gradient, p));
-          const History h = point.load(p);
-          const double share = M::conducts && M::relaxes(h) ? rate * dt * compression : 0;
-          point.particles.scratch(p, 0) = h.energy;
-          point.particles.scratch(p, 1) = point.particles.m(p) * clamp(share, 0, 0.5);
-        });
+    this->each(in, "load heat", {&P::scratch, &P::gradient}, fluid_stages::LoadHeat{rate, dt});
   }
-
-  void conduct(Sweep<D>& in) override {
-    const Point point = this->point();
-    this->each(
-        in, "conduct", KOKKOS_LAMBDA(const int p) {
-          const double share = point.particles.scratch(p, 1) / point.particles.m(p);
-          if (!(share > 0)) return;
-          History h = point.load(p);
-          h.energy -= share * point.particles.scratch(p, 0);
-          point.save(p, h);
-          point.refresh(p);
-        });
-  }
+  void conduct(Sweep<D>& in) override { this->each(in, "conduct", {&P::scratch}, fluid_stages::Conduct{}); }
 
  private:
   using typename MaterialGroup<G, M>::Around;
+  using typename MaterialGroup<G, M>::P;
   using typename MaterialGroup<G, M>::Point;
 
   /// Adds the work column [J/kg] to the energies and sets the stress. No energy falls below a fifth
@@ -165,43 +65,45 @@ class FluidGroup final : public MaterialGroup<G, M> {
   /// proportion to what they can spare. What they cannot is owed to the bin, for the next group or
   /// step that can: light gas beside heavy products lacks more than all of it holds.
   void receive_energy(Sweep<D>& in, const char* name) {
-    const Point point = this->point();
     if constexpr (!M::thermal) {
-      this->each(
-          in, name, KOKKOS_LAMBDA(const int p) {
-            History h = point.load(p);
-            h.energy += point.particles.work(p, 0);
-            point.save(p, h);
-            point.refresh(p);
-          });
+      this->each(in, name, {&P::work}, fluid_stages::ReceiveWork{});
       return;
     }
-    const auto first = point.particles.first;
+    const Point point = this->point();
     const auto owed = this->debt;
-    const bool on_credit = owed.extent(0) > 0;
     const auto floors = this->floors_;
+    this->touch(in, {&P::work});
+    static_assert(M::fields[0].member == &M::History::energy, "the first column is the energy");
     in.add(
         name, KOKKOS_LAMBDA(const Row<D>& row) {
+          const Particles<G>& points = point.particles;
           std::int64_t held = 0;
-          for (int bin = row.begin; bin < row.end; ++bin) {
-            double lacking = 0, spare = 0;
-            for (int p = first(bin); p < first(bin + 1); ++p) {
-              const double e = point.load(p).energy, margin = 0.8 * e + point.particles.work(p, 0);
-              (margin < 0 ? lacking : spare) += point.particles.m(p) * fabs(margin);
+          points.for_tiles(row, 1, [&](const Tile& tile) {
+            Wide lacking, spare;
+            tile.for_bundles([&](const auto& b) BRISANCE_INLINE {
+              const Wide margin = 0.8 * points.get(points.history, b) + points.get(points.work, b),
+                         amount = points.get(points.mass, b) * margin;
+              lacking -= least(amount, 0);
+              spare += most(amount, 0);
+            });
+            if (any(lacking > spare))
+              for (int lane = 0; lane < Wide::lanes; ++lane) held += lacking[lane] > spare[lane];
+            if (owed.extent(0) > 0) {
+              lacking += tile.gather([&](int bin) { return owed(bin); });
+              const Wide rest = most(lacking - spare, 0);
+              tile.for_lanes([&](int lane, int bin) { owed(bin) = rest[lane]; });
             }
-            held += lacking > spare;
-            if (on_credit) lacking += owed(bin);
-            const double share = lacking > 0 ? (spare > lacking ? lacking / spare : 1) : 0;
-            if (on_credit) owed(bin) = most(lacking - spare, 0);
-            for (int p = first(bin); p < first(bin + 1); ++p) {
-              History h = point.load(p);
-              const double margin = 0.8 * h.energy + point.particles.work(p, 0);
-              h.energy = 0.2 * h.energy + (margin < 0 ? 0 : margin * (1 - share));
-              point.save(p, h);
-              point.refresh(p);
-            }
-          }
+            const Wide share = select(lacking > spare, Wide(1),
+                                      select(lacking > Wide(0), lacking, Wide(0)) /
+                                          select(spare > Wide(0), spare, Wide(1)));
+            tile.for_bundles([&](const auto& b) BRISANCE_INLINE {
+              const Wide e = points.get(points.history, b),
+                         margin = 0.8 * e + points.get(points.work, b);
+              points.put(points.history, b, 0, 0.2 * e + most(margin, 0) * (1 - share));
+            });
+          });
           if (held > 0) Kokkos::atomic_add(&floors(), held);
+          point.each(row, [&](const auto& p) BRISANCE_INLINE { point.refresh(p); });
         });
   }
 };

@@ -51,25 +51,26 @@ class MaterialGroup : public Group<G> {
   }
 
   void find_signals(Sweep<D>& in) override {
-    if (static_cast<int>(signals_.extent(0)) != in.rows())
-      signals_ = Table<double>("signals of rows", in.rows(), 2);
+    make_room_for_signals(in.rows());
+    touch(in, {&P::velocity, &P::gradient});
     const Point point = this->point();
     const double strain_length = this->scheme.strain_length, h = in.lattice().h;
     const auto of_rows = signals_;
     in.add(
         "signals", KOKKOS_LAMBDA(const Row<D>& row) {
           double over_grid = 0, in_matter = 0;
-          const int end = point.particles.first(row.end);
-          for (int p = point.particles.first(row.begin); p < end; ++p) {
-            const Sym3 rate = strain_rate<G>(point.particles.matrix(point.particles.gradient, p));
-            const double rho = point.rho(p), c = point.material.sound_speed(rho, point.load(p));
-            const double signal = point.material.signal_speed(rate, rho, c, h);
-            double v = 0;
-            for (int d = 0; d < D; ++d) v = most(v, fabs(point.particles.velocity(p, d)));
-            in_matter = most(in_matter, finite(signal));
-            over_grid =
-                most(over_grid, finite(most(v + signal, strain_length * fabs(trace(rate)))));
-          }
+          point.each(row, [&](const auto& p) BRISANCE_INLINE {
+            const auto rate = point.rate(p);
+            const auto rho = point.rho(p), c = point.material.sound_speed(rho, point.load(p));
+            const auto signal = point.material.signal_speed(rate, rho, c, h);
+            using T = decltype(point.rho(p));
+            T v = 0;
+            for (int d = 0; d < D; ++d)
+              v = most(v, fabs(point.particles.get(point.particles.velocity, p, d)));
+            in_matter = most(in_matter, greatest(finite(signal)));
+            over_grid = most(over_grid, greatest(finite(most(
+                                            v + signal, T(strain_length) * fabs(trace(rate))))));
+          });
           of_rows(row.number, 0) = over_grid;
           of_rows(row.number, 1) = in_matter;
         });
@@ -88,11 +89,22 @@ class MaterialGroup : public Group<G> {
     return {most(s.over_grid, 0), most(s.in_matter, 0)};
   }
 
+  void set_signals(const Lattice<D>& lattice, const Signals& known) override {
+    make_room_for_signals(RowLayout<D>(lattice).rows);
+    Kokkos::deep_copy(Kokkos::subview(signals_, Kokkos::ALL, 0), known.over_grid);
+    Kokkos::deep_copy(Kokkos::subview(signals_, Kokkos::ALL, 1), known.in_matter);
+  }
+
   Totals totals(int begin, int end, double affine_inertia) const override;
   void report(const Array<double>& pressure, const Array<double>& energy) const override;
 
  private:
   Table<double> signals_;  ///< of each row: the fastest over the grid and in matter [m/s]
+
+  void make_room_for_signals(int rows) {
+    if (static_cast<int>(signals_.extent(0)) != rows)
+      signals_ = Table<double>("signals of rows", rows, 2);
+  }
 
  protected:
   M material;
@@ -105,19 +117,31 @@ class MaterialGroup : public Group<G> {
     return Kokkos::RangePolicy<Space>(0, this->particles.count);
   }
 
-  /// A stage that does f(p) for each particle; what it does to one does not concern another.
+  using P = Particles<G>;
+  /// Which columns a stage looks at beyond mass, volume, stress and history.
+  using Columns = std::initializer_list<Table<double> P::*>;
+
+  void touch(Sweep<D>& in, Columns more) const {
+    const P& p = this->particles;
+    in.touch(p.first, {p.mass, p.volume, p.stress, p.history});
+    for (const auto column : more) in.touch(p.first, {p.*column});
+  }
+
+  /// A stage that does f(point, p) for each particle, p being one of them or, where the law is
+  /// wide, a bundle; what it does to one does not concern another.
   template <class F>
-  void each(Sweep<D>& in, const char* name, const F& f) {
-    const auto first = this->particles.first;
+  void each(Sweep<D>& in, const char* name, Columns more, const F& f) {
+    const Point point = this->point();
+    touch(in, more);
     in.add(
         name, KOKKOS_LAMBDA(const Row<D>& row) {
-          const int begin = first(row.begin), end = first(row.end);
-          for (int p = begin; p < end; ++p) f(p);
+          point.each(row, [&](const auto& p) BRISANCE_INLINE { f(point, p); });
         });
   }
   /// Infinity for what is not a number, which a maximum would pass over.
-  KOKKOS_INLINE_FUNCTION static double finite(double speed) {
-    return speed < 1e300 ? speed : 1e300;
+  template <class T>
+  KOKKOS_FORCEINLINE_FUNCTION static T finite(const T& speed) {
+    return select(speed < T(1e300), speed, T(1e300));
   }
 };
 

@@ -6,14 +6,16 @@
 namespace brisance {
 
 /// a + factor b.
-KOKKOS_INLINE_FUNCTION Sym3 added(const Sym3& a, double factor, const Sym3& b) {
-  Sym3 sum;
-  for (int k = 0; k < 6; ++k) sum[k] = a[k] + factor * b[k];
+template <class T>
+KOKKOS_FORCEINLINE_FUNCTION SymOf<T> added(const SymOf<T>& a, double factor, const SymOf<T>& b) {
+  SymOf<T> sum;
+  for (int k = 0; k < 6; ++k) sum[k] = a[k] + T(factor) * b[k];
   return sum;
 }
 
-KOKKOS_INLINE_FUNCTION Sym3 middle(const Sym3& a, const Sym3& b) {
-  Sym3 mean;
+template <class T>
+KOKKOS_FORCEINLINE_FUNCTION SymOf<T> middle(const SymOf<T>& a, const SymOf<T>& b) {
+  SymOf<T> mean;
   for (int k = 0; k < 6; ++k) mean[k] = 0.5 * (a[k] + b[k]);
   return mean;
 }
@@ -26,16 +28,18 @@ KOKKOS_INLINE_FUNCTION Sym3 deviator(const Sym3& a) {
 }
 
 /// The same mean, the deviator times `factor`.
-KOKKOS_INLINE_FUNCTION Sym3 with_deviator_scaled(const Sym3& a, double factor) {
-  Sym3 scaled;
-  const double mean = (1 - factor) * trace(a) / 3;
-  for (int k = 0; k < 6; ++k) scaled[k] = factor * a[k] + (k < 3 ? mean : 0);
+template <class T>
+KOKKOS_FORCEINLINE_FUNCTION SymOf<T> with_deviator_scaled(const SymOf<T>& a, const T& factor) {
+  SymOf<T> scaled;
+  const T mean = (1 - factor) * trace(a) * (1. / 3);
+  for (int k = 0; k < 6; ++k) scaled[k] = factor * a[k] + (k < 3 ? mean : T(0));
   return scaled;
 }
 
 /// J2 = dev(a) : dev(a) / 2.
-KOKKOS_INLINE_FUNCTION double second_invariant(const Sym3& a) {
-  return (square(a[0] - a[1]) + square(a[1] - a[2]) + square(a[2] - a[0])) / 6 + square(a[3]) +
+template <class T>
+KOKKOS_FORCEINLINE_FUNCTION T second_invariant(const SymOf<T>& a) {
+  return (square(a[0] - a[1]) + square(a[1] - a[2]) + square(a[2] - a[0])) * (1. / 6) + square(a[3]) +
          square(a[4]) + square(a[5]);
 }
 
@@ -72,10 +76,11 @@ struct Isotropic {
     return {E / (3 * (1 - 2 * nu)), E / (2 * (1 + nu))};
   }
 
-  KOKKOS_INLINE_FUNCTION Sym3 stress(const Sym3& strain) const {
-    Sym3 s;
-    const double mean = (K - 2 * G / 3) * trace(strain);
-    for (int k = 0; k < 6; ++k) s[k] = 2 * G * strain[k] + (k < 3 ? mean : 0);
+  template <class T>
+  KOKKOS_FORCEINLINE_FUNCTION SymOf<T> stress(const SymOf<T>& strain) const {
+    SymOf<T> s;
+    const T mean = (K - 2 * G / 3) * trace(strain);
+    for (int k = 0; k < 6; ++k) s[k] = 2 * G * strain[k] + (k < 3 ? mean : T(0));
     return s;
   }
   KOKKOS_INLINE_FUNCTION Sym3 strain(const Sym3& stress) const {
@@ -88,9 +93,10 @@ struct Isotropic {
   KOKKOS_INLINE_FUNCTION double constrained() const { return K + 4 * G / 3; }
 
   /// a : C^-1 : b, the work of the stress a on the elastic strain of b. [J/m^3]
-  KOKKOS_INLINE_FUNCTION double work(const Sym3& a, const Sym3& b) const {
-    const double traces = trace(a) * trace(b);
-    return (contract(a, b) - traces / 3) / (2 * G) + traces / (9 * K);
+  template <class T>
+  KOKKOS_FORCEINLINE_FUNCTION T work(const SymOf<T>& a, const SymOf<T>& b) const {
+    const T traces = trace(a) * trace(b);
+    return (contract(a, b) - traces * (1. / 3)) * (1 / (2 * G)) + traces * (1 / (9 * K));
   }
   /// What comes back on unloading. [J/m^3]
   KOKKOS_INLINE_FUNCTION double energy(const Sym3& stress) const {

@@ -12,7 +12,7 @@ namespace brisance {
 
 struct Jwl {
   static constexpr const char* name = "jwl";
-  static constexpr bool thermal = true, burns = true;
+  static constexpr bool thermal = true, burns = true, wide = false;
   /// Products take less of the volume relaxation than gas. Over a slab of 2000 cells the error of
   /// the fan behind a detonation was 1.9 % with an eighth of it, 0.9 with this, 0.8 with 0.7, which
   /// makes the plateau wander; without any the peak lost 20 %.

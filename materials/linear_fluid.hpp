@@ -12,7 +12,7 @@ namespace brisance {
 /// of elastic energy and heat, and may be a tension.
 struct LinearFluid {
   static constexpr const char* name = "linear fluid";
-  static constexpr bool thermal = false, burns = false, conducts = false;
+  static constexpr bool thermal = false, burns = false, conducts = false, wide = false;
   static constexpr double volume_share = 0;
 
   double modulus = 1, rho0 = 1;  ///< [Pa], [kg/m^3]

@@ -1,6 +1,8 @@
 #pragma once
 // The contract between a material law and the method. A law is a plain struct that works on plain
-// numbers for one point, so that it can be tested without a mesh. It has
+// numbers for one point, so that it can be tested without a mesh. One that is `wide` is written for
+// a type T of numbers and serves eight points at once, too (core/wide.hpp): where a point decides,
+// it selects in place of branching, and its state is HistoryOf<T> with fields_of<T>. A law has
 //   name, stress, fluid           what the input calls it; pressure or tensor; whether density and
 //                                 energy are its state
 //   History, fields               its state variables, one of them `energy`, and their names and
@@ -25,32 +27,41 @@
 namespace brisance {
 
 /// What happens to a point in a step.
-struct Strain {
-  Sym3 rate;                  ///< rate of deformation [1/s]
-  double dt = 0;              ///< [s]
-  double time = 0;            ///< at its end [s]
-  double growth = 1;          ///< volume after over that before [-]
-  double rho0 = 0, rho1 = 0;  ///< density before and after [kg/m^3]
-  double volume_change = 0;   ///< change of specific volume that pressure works on [m^3/kg]
-  double h = 0;               ///< cell size, over which shocks and cracks are spread [m]
-  double spacing = 0;         ///< of explosives: of the points before they burn [m]
-  double smoothness = 0;      ///< 1 where the flow around is smooth, 0 in a shock [-]
+template <class T>
+struct StrainOf {
+  SymOf<T> rate;         ///< rate of deformation [1/s]
+  double dt = 0;         ///< [s]
+  double time = 0;       ///< at its end [s]
+  T growth = 1;          ///< volume after over that before [-]
+  T rho0 = 0, rho1 = 0;  ///< density before and after [kg/m^3]
+  T volume_change = 0;   ///< change of specific volume that pressure works on [m^3/kg]
+  double h = 0;          ///< cell size, over which shocks and cracks are spread [m]
+  T spacing = 0;         ///< of explosives: of the points before they burn [m]
+  T smoothness = 0;      ///< 1 where the flow around is smooth, 0 in a shock [-]
   bool viscous_before =
       false;  ///< whether the stress before the step holds viscous parts (MUSL) or is of rest
 };
 
 /// What a law answers.
-struct Response {
-  Sym3 stress;             ///< tension positive [Pa]
-  double sound_speed = 0;  ///< [m/s]
+template <class T>
+struct ResponseOf {
+  SymOf<T> stress;    ///< tension positive [Pa]
+  T sound_speed = 0;  ///< [m/s]
 };
 
-/// One state variable of a law.
+using Strain = StrainOf<double>;
+using Response = ResponseOf<double>;
+
+/// What a history is made of: one number, or several.
 template <class History>
+using Number = std::decay_t<decltype(History::energy)>;
+
+/// One state variable of a law.
+template <class History, class T = double>
 struct Field {
   const char* name;
   const char* unit;
-  double History::*member;
+  T History::*member;
 };
 
 }  // namespace brisance

@@ -10,11 +10,11 @@ namespace brisance {
 
 /// An equation of state, linear in the specific energy at a given density: p = offset(rho) +
 /// slope(rho) e. It says, too, whether that depends on the energy at all (where it does not, the
-/// energy is a ledger and the pressure may be a tension), whether the matter burns, how much of the
-/// scheme's volume relaxation it takes and whether it takes part in conduction.
+/// energy is a ledger and the pressure may be a tension), whether the matter burns, whether it is
+/// written for eight points, too (materials/material.hpp), how much of the scheme's volume relaxation it takes and whether it takes part in conduction.
 struct PerfectGas {
   static constexpr const char* name = "perfect gas";
-  static constexpr bool thermal = true, burns = false;
+  static constexpr bool thermal = true, burns = false, wide = true;
   static constexpr double volume_share = 1;
   static constexpr bool conducts = true;
 
@@ -24,10 +24,17 @@ struct PerfectGas {
   explicit PerfectGas(const Teuchos::ParameterList& list);
   static Teuchos::ParameterList valid_parameters();
 
-  KOKKOS_INLINE_FUNCTION double offset(double) const { return 0; }
-  KOKKOS_INLINE_FUNCTION double slope(double rho) const { return (gamma - 1) * rho; }
+  template <class T>
+  KOKKOS_FORCEINLINE_FUNCTION T offset(const T&) const {
+    return 0;
+  }
+  template <class T>
+  KOKKOS_FORCEINLINE_FUNCTION T slope(const T& rho) const {
+    return (gamma - 1) * rho;
+  }
   /// Square of the sound speed. [m^2/s^2]
-  KOKKOS_INLINE_FUNCTION double sound_speed2(double, double e) const {
+  template <class T>
+  KOKKOS_FORCEINLINE_FUNCTION T sound_speed2(const T&, const T& e) const {
     return gamma * (gamma - 1) * e;
   }
   /// Half the slope of the shock speed over the jump in velocity, s/2 = (gamma + 1)/4

@@ -6,16 +6,20 @@
 namespace brisance {
 
 struct Plastic : Solid {
-  struct History {
-    double energy = 0;
-    double plastic_strain = 0;  ///< sum of sqrt(2/3 de : de) of the plastic deviator
-    double plastic_work = 0;
+  template <class T>
+  struct HistoryOf {
+    T energy = 0;
+    T plastic_strain = 0;  ///< sum of sqrt(2/3 de : de) of the plastic deviator
+    T plastic_work = 0;
   };
+  using History = HistoryOf<double>;
   static constexpr int field_count = 3;
-  static constexpr Field<History> fields[field_count] = {
-      {"energy", "J/kg", &History::energy},
-      {"plastic strain", "-", &History::plastic_strain},
-      {"plastic work", "J/kg", &History::plastic_work}};
+  template <class T>
+  static constexpr Field<HistoryOf<T>, T> fields_of[field_count] = {
+      {"energy", "J/kg", &HistoryOf<T>::energy},
+      {"plastic strain", "-", &HistoryOf<T>::plastic_strain},
+      {"plastic work", "J/kg", &HistoryOf<T>::plastic_work}};
+  static constexpr const auto& fields = fields_of<double>;
 
   using Solid::Solid;
 
@@ -33,9 +37,10 @@ struct Plastic : Solid {
 /// trial stress, by the mean of the stresses before and after the step: what is missing of that
 /// mean : de after the elastic energy has been paid, to the last digit. Zero instead where a step
 /// is so long that it crosses the yield surface and the mean says nothing. [J/m^3]
-KOKKOS_INLINE_FUNCTION double plastic_work(const Isotropic& moduli, const Sym3& mean,
-                                           const Sym3& excess) {
-  return most(moduli.work(mean, excess), 0);
+template <class T>
+KOKKOS_FORCEINLINE_FUNCTION T plastic_work(const Isotropic& moduli, const SymOf<T>& mean,
+                                           const SymOf<T>& excess) {
+  return most(moduli.work(mean, excess), T(0));
 }
 
 }  // namespace brisance

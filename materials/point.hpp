@@ -23,10 +23,23 @@ struct Surroundings {
 /// The law and its particles, as kernels capture them.
 template <class G, class M>
 struct MaterialPoint {
+  using Law = M;
   using History = typename M::History;
+  using Full = Bundle<true>;
 
   M material;
   Particles<G> particles;
+
+  /// Calls f(p) for the particles of a row, f(bundle) where the law is wide.
+  template <class F>
+  KOKKOS_FORCEINLINE_FUNCTION void each(const Row<G::dim>& row, const F& f) const {
+    if constexpr (M::wide) {
+      particles.for_all(row, f);
+    } else {
+      const int end = particles.first(row.end);
+      for (int p = particles.first(row.begin); p < end; ++p) f(p);
+    }
+  }
 
   KOKKOS_INLINE_FUNCTION History load(int p) const {
     History h;
@@ -36,31 +49,94 @@ struct MaterialPoint {
   KOKKOS_INLINE_FUNCTION void save(int p, const History& h) const {
     for (int k = 0; k < M::field_count; ++k) particles.history(p, k) = h.*(M::fields[k].member);
   }
-  KOKKOS_INLINE_FUNCTION double rho(int p) const { return particles.m(p) / particles.vol(p); }
-  KOKKOS_INLINE_FUNCTION double pressure(int p) const {
-    return -particles.template sigma<M::stress>(p)[0];
+  template <class B, class = std::enable_if_t<std::is_same<B, Full>::value>>
+  KOKKOS_FORCEINLINE_FUNCTION auto load(const B& b) const {
+    typename M::template HistoryOf<Wide> h;
+    for (int k = 0; k < M::field_count; ++k)
+      h.*(M::template fields_of<Wide>[k].member) = particles.get(particles.history, b, k);
+    return h;
+  }
+  template <class H>
+  KOKKOS_FORCEINLINE_FUNCTION void save(const Full& b, const H& h) const {
+    for (int k = 0; k < M::field_count; ++k)
+      particles.put(particles.history, b, k, h.*(M::template fields_of<Wide>[k].member));
+  }
+  template <class I>
+  KOKKOS_FORCEINLINE_FUNCTION auto mass(const I& p) const {
+    return particles.get(particles.mass, p);
+  }
+  template <class I>
+  KOKKOS_FORCEINLINE_FUNCTION auto volume(const I& p) const {
+    return particles.get(particles.volume, p);
+  }
+  template <class I, class T>
+  KOKKOS_FORCEINLINE_FUNCTION void set_volume(const I& p, const T& value) const {
+    particles.put(particles.volume, p, 0, value);
+  }
+  template <class I>
+  KOKKOS_FORCEINLINE_FUNCTION auto stress(const I& p) const {
+    return particles.template sigma<M::stress>(p);
+  }
+  template <class I, class T>
+  KOKKOS_FORCEINLINE_FUNCTION void set_stress(const I& p, const SymOf<T>& value) const {
+    particles.template set_sigma<M::stress>(p, value);
+  }
+  template <class I>
+  KOKKOS_FORCEINLINE_FUNCTION auto work(const I& p) const {
+    return particles.get(particles.work, p);
+  }
+  template <class I, class T>
+  KOKKOS_FORCEINLINE_FUNCTION void set_work(const I& p, const T& value) const {
+    particles.put(particles.work, p, 0, value);
+  }
+  template <class I>
+  KOKKOS_FORCEINLINE_FUNCTION auto scratch(const I& p, int column) const {
+    return particles.get(particles.scratch, p, column);
+  }
+  template <class I, class T>
+  KOKKOS_FORCEINLINE_FUNCTION void set_scratch(const I& p, int column, const T& value) const {
+    particles.put(particles.scratch, p, column, value);
+  }
+  template <class I>
+  KOKKOS_FORCEINLINE_FUNCTION auto rho(const I& p) const {
+    return mass(p) / volume(p);
+  }
+  template <class I>
+  KOKKOS_FORCEINLINE_FUNCTION auto pressure(const I& p) const {
+    return -stress(p)[0];
+  }
+  template <class I>
+  KOKKOS_FORCEINLINE_FUNCTION auto rate(const I& p) const {
+    return strain_rate<G>(particles.matrix(particles.gradient, p));
   }
   /// The pressure without the part that no node sees, which scratch column 0 holds.
-  KOKKOS_INLINE_FUNCTION double smooth_pressure(int p) const {
-    return clamp(pressure(p) - particles.scratch(p, 0), 0.5 * pressure(p), 2 * pressure(p));
+  template <class I>
+  KOKKOS_FORCEINLINE_FUNCTION auto smooth_pressure(const I& p) const {
+    const auto all = pressure(p);
+    return clamp(all - scratch(p, 0), 0.5 * all, 2 * all);
   }
-  KOKKOS_INLINE_FUNCTION void refresh(int p) const {
-    particles.template set_sigma<M::stress>(p, material.state(rho(p), load(p)).stress);
+  template <class I>
+  KOKKOS_FORCEINLINE_FUNCTION void refresh(const I& p) const {
+    set_stress(p, material.state(rho(p), load(p)).stress);
   }
   /// 1 + tr D dt (A.16), bounded where a step overshoots; see largest volume change in the time
   /// step.
-  KOKKOS_INLINE_FUNCTION static double growth(const Sym3& rate, double dt) {
-    return most(1 + trace(rate) * dt, 0.1);
+  template <class T>
+  KOKKOS_FORCEINLINE_FUNCTION static T growth(const SymOf<T>& rate, double dt) {
+    return most(1 + trace(rate) * T(dt), T(0.1));
   }
   /// Solids: the stress turned with the rigid rotation of a step, as are the directions in h.
-  KOKKOS_INLINE_FUNCTION Sym3 turn(int p, double dt, [[maybe_unused]] History& h) const {
-    const Mat<3> r = rotation<G>(particles.matrix(particles.gradient, p), dt);
+  template <class I, class H>
+  KOKKOS_FORCEINLINE_FUNCTION auto turn(const I& p, double dt, [[maybe_unused]] H& h) const {
+    const auto r = rotation<G>(particles.matrix(particles.gradient, p), dt);
     if constexpr (M::directed) M::rotate(h, r);
-    return turned<G>(particles.template sigma<M::stress>(p), r);
+    return turned<G>(stress(p), r);
   }
-  KOKKOS_INLINE_FUNCTION Strain strain(int p, double dt, const Surroundings<G>& around) const {
-    Strain in;
-    in.rate = strain_rate<G>(particles.matrix(particles.gradient, p));
+  template <class I>
+  KOKKOS_FORCEINLINE_FUNCTION auto strain(const I& p, double dt,
+                                          const Surroundings<G>& around) const {
+    StrainOf<decltype(mass(p))> in;
+    in.rate = rate(p);
     in.dt = dt;
     in.time = around.time + dt;
     in.rho0 = rho(p);
@@ -68,10 +144,17 @@ struct MaterialPoint {
     in.rho1 = in.rho0 / in.growth;
     in.volume_change = (in.growth - 1) / in.rho0;
     in.h = around.lattice.h;
-    if constexpr (M::burns) in.spacing = particles.root(particles.m(p) / material.eos.rho0);
-    if (around.limited)
-      in.smoothness = around.smoothness(around.lattice.cell_of(particles.x(p)), 0);
+    if constexpr (M::burns) in.spacing = particles.root(mass(p) / material.eos.rho0);
+    if (around.limited) in.smoothness = smoothness(p, around);
     return in;
+  }
+
+ private:
+  KOKKOS_FORCEINLINE_FUNCTION double smoothness(int p, const Surroundings<G>& around) const {
+    return around.smoothness(around.lattice.cell_of(particles.x(p)), 0);
+  }
+  KOKKOS_FORCEINLINE_FUNCTION Wide smoothness(const Full& b, const Surroundings<G>& around) const {
+    return Wide::of([&](int lane) { return smoothness(b.first + lane, around); });
   }
 };
 

@@ -15,6 +15,7 @@ struct Solid {
   static constexpr bool fluid = false;
   static constexpr bool burns = false;
   static constexpr bool directed = false;
+  static constexpr bool wide = false;
 
   Isotropic intact;     ///< moduli of sound matter
   double rho_rest = 0;  ///< [kg/m^3]
@@ -25,12 +26,18 @@ struct Solid {
   double density() const { return rho_rest; }
 
   /// Of longitudinal waves. [m/s]
-  KOKKOS_INLINE_FUNCTION double speed(double rho) const { return sqrt(intact.constrained() / rho); }
-  template <class History>
-  KOKKOS_INLINE_FUNCTION double sound_speed(double rho, const History&) const {
+  KOKKOS_FORCEINLINE_FUNCTION double speed(double rho) const {
+    return sqrt(intact.constrained() / rho);
+  }
+  KOKKOS_FORCEINLINE_FUNCTION Wide speed(const Wide& rho) const {
+    return sqrt(intact.constrained() / rho);
+  }
+  template <class T, class History>
+  KOKKOS_FORCEINLINE_FUNCTION auto sound_speed(const T& rho, const History&) const {
     return speed(rho);
   }
-  KOKKOS_INLINE_FUNCTION double signal_speed(const Sym3&, double, double c, double) const {
+  template <class T>
+  KOKKOS_FORCEINLINE_FUNCTION T signal_speed(const SymOf<T>&, const T&, const T& c, double) const {
     return c;
   }
   /// Whether the point still hangs together with its neighbours, so that their stresses tell of its
@@ -46,6 +53,6 @@ struct Solid {
 };
 
 /// The strain of a step.
-KOKKOS_INLINE_FUNCTION Sym3 increment(const Strain& in) { return added({}, in.dt, in.rate); }
+KOKKOS_INLINE_FUNCTION Sym3 increment(const Strain& in) { return added(Sym3{}, in.dt, in.rate); }
 
 }  // namespace brisance

@@ -3,89 +3,101 @@
 #include "materials/group_impl.hpp"
 
 namespace brisance {
+namespace solid_stages {
+
+/// The stress half a step on, which acts at the nodes.
+template <class G>
+struct HalfStep {
+  Surroundings<G> around;
+  double dt;
+  template <class P, class I>
+  KOKKOS_FORCEINLINE_FUNCTION void operator()(const P& point, const I& p) const {
+    auto h = point.load(p);
+    const auto old = point.turn(p, 0.5 * dt, h);
+    const auto r = point.material.update(point.strain(p, 0.5 * dt, around), old, h);
+    point.particles.template set_sigma<P::Law::stress>(point.particles.acting, p, r.stress);
+  }
+};
+
+/// The state at the end of the step. The work is that of the midpoint step, or of the mean stress
+/// of the step on its strain (MUSL).
+template <class G>
+struct Finish {
+  Surroundings<G> around;
+  double dt;
+  bool midpoint;
+  template <class P, class I>
+  KOKKOS_FORCEINLINE_FUNCTION void operator()(const P& point, const I& p) const {
+    auto h = point.load(p);
+    const auto strain = point.strain(p, dt, around);
+    const auto old = point.turn(p, dt, h);
+    const auto r = point.material.update(strain, old, h);
+    if (midpoint)
+      h.energy += point.work(p);
+    else
+      h.energy += 0.5 * dt / strain.rho0 *
+                  (contract(old, strain.rate) + contract(r.stress, strain.rate));
+    point.set_volume(p, point.volume(p) * strain.growth);
+    point.set_stress(p, r.stress);
+    point.save(p, h);
+  }
+};
+
+struct LoadStress {
+  template <class P, class I>
+  KOKKOS_FORCEINLINE_FUNCTION void operator()(const P& point, const I& p) const {
+    const auto stress = point.stress(p);
+    const auto volume = point.volume(p);
+    for (int k = 0; k < 3; ++k) point.set_scratch(p, k, stress[k]);
+    point.set_scratch(p, 3, P::Law::whole(point.load(p)) ? volume : 0 * volume);
+  }
+};
+
+/// Stress <- stress without a share of the residuals that scratch holds.
+struct RelaxStress {
+  double rate;
+  template <class P, class I>
+  KOKKOS_FORCEINLINE_FUNCTION void operator()(const P& point, const I& p) const {
+    const auto state = point.load(p);
+    if (!P::Law::whole(state)) return;
+    using T = std::decay_t<decltype(state.energy)>;
+    const T share = least(T(0.5), rate * point.material.sound_speed(point.rho(p), state));
+    auto stress = point.stress(p);
+    for (int k = 0; k < 3; ++k) stress[k] -= share * point.scratch(p, k);
+    point.set_stress(p, stress);
+  }
+};
+
+}  // namespace solid_stages
 
 template <class G, class M>
 class SolidGroup final : public MaterialGroup<G, M> {
  public:
   using MaterialGroup<G, M>::MaterialGroup;
   using MaterialGroup<G, M>::D;
-  using History = typename M::History;
 
   void start() override {}
 
   void half_step(Sweep<D>& in, const Grid<G>& grid, double dt) override {
-    const Point point = this->point();
-    const Around around(grid);
-    this->each(
-        in, "half step of solid", KOKKOS_LAMBDA(const int p) {
-          History h = point.load(p);
-          const Sym3 old = point.turn(p, 0.5 * dt, h);
-          const Response r = point.material.update(point.strain(p, 0.5 * dt, around), old, h);
-          point.particles.template set_sigma<M::stress>(point.particles.acting, p, r.stress);
-        });
+    this->each(in, "half step of solid", {&P::gradient, &P::acting}, solid_stages::HalfStep<G>{Around(grid), dt});
   }
-
   void finish(Sweep<D>& in, const Grid<G>& grid, double dt) override {
-    const Point point = this->point();
-    const Around around(grid);
-    this->each(
-        in, "finish solid", KOKKOS_LAMBDA(const int p) {
-          History h = point.load(p);
-          const Strain strain = point.strain(p, dt, around);
-          const Response r = point.material.update(strain, point.turn(p, dt, h), h);
-          h.energy += point.particles.work(p, 0);
-          store(point, p, strain, r, h);
-        });
+    this->each(in, "finish solid", {&P::gradient, &P::work}, solid_stages::Finish<G>{Around(grid), dt, true});
   }
-
-  /// The work is that of the mean stress of the step on its strain.
   void update(Sweep<D>& in, const Grid<G>& grid, double dt) override {
-    const Point point = this->point();
-    const Around around(grid);
-    this->each(
-        in, "update solid", KOKKOS_LAMBDA(const int p) {
-          History h = point.load(p);
-          const Strain strain = point.strain(p, dt, around);
-          const Sym3 old = point.turn(p, dt, h);
-          const Response r = point.material.update(strain, old, h);
-          h.energy += 0.5 * dt / strain.rho0 *
-                      (contract(old, strain.rate) + contract(r.stress, strain.rate));
-          store(point, p, strain, r, h);
-        });
+    this->each(in, "update solid", {&P::gradient}, solid_stages::Finish<G>{Around(grid), dt, false});
   }
-
   void load_stress(Sweep<D>& in) override {
-    const Point point = this->point();
-    this->each(
-        in, "load stress", KOKKOS_LAMBDA(const int p) {
-          for (int k = 0; k < 3; ++k) point.particles.scratch(p, k) = point.particles.stress(p, k);
-          point.particles.scratch(p, 3) = M::whole(point.load(p)) ? point.particles.vol(p) : 0;
-        });
+    this->each(in, "load stress", {&P::scratch}, solid_stages::LoadStress{});
   }
-
   void relax_stress(Sweep<D>& in, double dt) override {
-    const Point point = this->point();
     const double rate = this->scheme.stress_relaxation * dt / in.lattice().h;
-    this->each(
-        in, "relax stress", KOKKOS_LAMBDA(const int p) {
-          const History state = point.load(p);
-          if (!M::whole(state)) return;
-          const double share = least(0.5, rate * point.material.sound_speed(point.rho(p), state));
-          for (int k = 0; k < 3; ++k)
-            point.particles.stress(p, k) -= share * point.particles.scratch(p, k);
-        });
+    this->each(in, "relax stress", {&P::scratch}, solid_stages::RelaxStress{rate});
   }
 
  private:
   using typename MaterialGroup<G, M>::Around;
-  using typename MaterialGroup<G, M>::Point;
-
-  KOKKOS_INLINE_FUNCTION static void store(const Point& point, int p, const Strain& strain,
-                                           const Response& r, const History& h) {
-    point.particles.vol(p) *= strain.growth;
-    point.particles.template set_sigma<M::stress>(p, r.stress);
-    point.save(p, h);
-  }
+  using typename MaterialGroup<G, M>::P;
 };
 
 }  // namespace brisance

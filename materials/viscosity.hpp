@@ -13,8 +13,14 @@ namespace brisance {
 
 struct Inviscid {
   static constexpr Stress stress = Stress::pressure;
-  KOKKOS_INLINE_FUNCTION Sym3 stress_of(const Sym3&) const { return {}; }
-  KOKKOS_INLINE_FUNCTION double signal_speed(double, double) const { return 0; }
+  template <class T>
+  KOKKOS_FORCEINLINE_FUNCTION SymOf<T> stress_of(const SymOf<T>&) const {
+    return {};
+  }
+  template <class T>
+  KOKKOS_FORCEINLINE_FUNCTION T signal_speed(const T&, double) const {
+    return 0;
+  }
 };
 
 /// sigma = 2 mu D + lambda tr(D) I, eq. (10).
@@ -26,23 +32,30 @@ struct Newtonian {
   explicit Newtonian(const Teuchos::ParameterList& list);
   static Teuchos::ParameterList valid_parameters();
 
-  KOKKOS_INLINE_FUNCTION Sym3 stress_of(const Sym3& rate) const {
-    Sym3 s;
-    const double mean = lambda * trace(rate);
-    for (int k = 0; k < 6; ++k) s[k] = 2 * mu * rate[k] + (k < 3 ? mean : 0);
+  template <class T>
+  KOKKOS_FORCEINLINE_FUNCTION SymOf<T> stress_of(const SymOf<T>& rate) const {
+    SymOf<T> s;
+    const T mean = lambda * trace(rate);
+    for (int k = 0; k < 6; ++k) s[k] = 2 * mu * rate[k] + (k < 3 ? mean : T(0));
     return s;
   }
   /// Explicit diffusion is stable for dt < h^2 / (2 dim nu), here as a speed with dim = 3. [m/s]
-  KOKKOS_INLINE_FUNCTION double signal_speed(double rho, double h) const {
+  template <class T>
+  KOKKOS_FORCEINLINE_FUNCTION T signal_speed(const T& rho, double h) const {
     return 6 * (2 * mu + lambda) / (rho * h);
   }
 };
 
 struct NoShockViscosity {
-  KOKKOS_INLINE_FUNCTION double pressure(double, double, double, double, const Strain&) const {
+  template <class T>
+  KOKKOS_FORCEINLINE_FUNCTION T pressure(const Same<T>&, const Same<T>&, const Same<T>&, double,
+                                         const StrainOf<T>&) const {
     return 0;
   }
-  KOKKOS_INLINE_FUNCTION double speed(double, double, double, double) const { return 0; }
+  template <class T>
+  KOKKOS_FORCEINLINE_FUNCTION T speed(const T&, double, const Same<T>&, double) const {
+    return 0;
+  }
 };
 
 /// Artificial viscosity: a pressure q from the jump of velocity across a cell, du = -h D.
@@ -63,21 +76,26 @@ struct ShockViscosity {
   explicit ShockViscosity(const Teuchos::ParameterList& list);
 
   /// p, c: pressure and sound speed before the step, K: shock slope. [Pa]
-  KOKKOS_INLINE_FUNCTION double pressure(double rho, double p, double c, double K,
-                                         const Strain& in) const {
-    const double du = -in.h * trace(in.rate), rough = 1 - limiter * in.smoothness;
-    if (!(du > 0)) return most(rho * du * rough * ce * c, -0.3 * p);
-    const double linear = rough * c1 * c;
-    if (form == Form::von_neumann_richtmyer) return rho * du * (c0 * du + linear);
-    const double quadratic = c0 * K * du;
-    return rho * du * (quadratic + sqrt(square(quadratic) + square(linear)));
+  template <class T>
+  KOKKOS_FORCEINLINE_FUNCTION T pressure(const Same<T>& rho, const Same<T>& p, const Same<T>& c,
+                                         double K, const StrainOf<T>& in) const {
+    const T du = -in.h * trace(in.rate), rough = 1 - limiter * in.smoothness;
+    const T expanding = most(rho * du * rough * ce * c, -0.3 * p);
+    const T linear = rough * c1 * c;
+    T jump = c0 * du + linear;
+    if (form == Form::kurapatenko) {
+      const T quadratic = c0 * K * du;
+      jump = quadratic + sqrt(square(quadratic) + square(linear));
+    }
+    return select(du > T(0), rho * du * jump, expanding);
   }
 
   /// What viscosity adds to the speed of signals, b in dt = CFL h / (|v| + b + sqrt(b^2 + c^2)).
   /// [m/s]
-  KOKKOS_INLINE_FUNCTION double speed(double c, double K, double divergence, double h) const {
-    if (!(divergence < 0)) return ce * c;
-    return (form == Form::kurapatenko ? c0 * K : c0) * h * -divergence + c1 * c;
+  template <class T>
+  KOKKOS_FORCEINLINE_FUNCTION T speed(const T& c, double K, const Same<T>& divergence, double h) const {
+    const double quadratic = (form == Form::kurapatenko ? c0 * K : c0) * h;
+    return select(divergence < T(0), c1 * c - quadratic * divergence, ce * c);
   }
 };
 

@@ -14,6 +14,7 @@ namespace brisance {
 
 struct VonMises : Plastic {
   static constexpr const char* name = "von mises";
+  static constexpr bool wide = true;
 
   double yield = 0;      ///< stress in tension at which it first yields [Pa]
   double hardening = 0;  ///< its growth over the equivalent plastic strain [Pa]
@@ -23,25 +24,25 @@ struct VonMises : Plastic {
   explicit VonMises(const Teuchos::ParameterList& list);
   static Teuchos::ParameterList valid_parameters(const Teuchos::ParameterList& given);
 
-  KOKKOS_INLINE_FUNCTION Response update(const Strain& in, const Sym3& old, History& h) const {
-    Response r{added(old, in.dt, intact.stress(in.rate)), speed(in.rho1)};
-    const Sym3 trial = r.stress;
-    const double mean = trace(trial) / 3, q2 = 3 * second_invariant(trial),
-                 limit = yield + hardening * h.plastic_strain;
-    const bool yields = q2 > square(limit) && h.plastic_strain < failure;
-    if (yields) {
-      const double q = sqrt(q2), slip = (q - limit) / (3 * intact.G + hardening);
-      r.stress = with_deviator_scaled(trial, (limit + hardening * slip) / q);
-      h.plastic_strain += slip;
-    }
-    if (!(h.plastic_strain < failure)) {
-      r.stress = {};
-      for (int k = 0; k < 3; ++k) r.stress[k] = least(mean, 0);
-    } else if (mean > cut_off) {
-      for (int k = 0; k < 3; ++k) r.stress[k] += cut_off - mean;
-    } else if (!yields) {
-      return r;
-    }
+  template <class T>
+  KOKKOS_FORCEINLINE_FUNCTION ResponseOf<T> update(const StrainOf<T>& in, const SymOf<T>& old,
+                                                   HistoryOf<T>& h) const {
+    ResponseOf<T> r{added(old, in.dt, intact.stress(in.rate)), speed(in.rho1)};
+    const SymOf<T> trial = r.stress;
+    const T mean = trace(trial) * (1. / 3), q2 = 3 * second_invariant(trial),
+            limit = yield + hardening * h.plastic_strain;
+    const auto sound = h.plastic_strain < T(failure);
+    const auto yields = q2 > square(limit) && sound, opens = mean > T(cut_off);
+    if (!any(yields || opens || !sound)) return r;
+    const T q = select(yields, sqrt(q2), limit), slip = (q - limit) * (1 / (3 * intact.G + hardening));
+    h.plastic_strain += slip;
+    r.stress = with_deviator_scaled(trial, select(yields, (limit + hardening * slip) / q, T(1)));
+    // Slip may have used up the strength: then, too, it is what counts from here on.
+    const auto holds = h.plastic_strain < T(failure);
+    const T to_cut_off = select(opens, cut_off - mean, T(0));
+    for (int k = 0; k < 3; ++k)
+      r.stress[k] = select(holds, r.stress[k] + to_cut_off, least(mean, T(0)));
+    for (int k = 3; k < 6; ++k) r.stress[k] = select(holds, r.stress[k], T(0));
     h.plastic_work +=
         plastic_work(intact, middle(old, r.stress), added(trial, -1, r.stress)) / in.rho0;
     return r;

@@ -35,6 +35,7 @@ class Names final : public Group<PlaneStrain> {
   void start() override {}
   void find_signals(Sweep<2>&) override {}
   Signals signals() const override { return {}; }
+  void set_signals(const Lattice<2>&, const Signals&) override {}
   void half_step(Sweep<2>&, const Grid<PlaneStrain>&, double) override {}
   void finish(Sweep<2>&, const Grid<PlaneStrain>&, double) override {}
   void update(Sweep<2>&, const Grid<PlaneStrain>&, double) override {}

@@ -170,9 +170,11 @@ TYPED_TEST(EveryRelaxation, EnergyReceivedNeverLeavesLessThanAFifth) {
     }
     test::sweep(state.grid.lattice, [&](auto& in) { state.groups[0]->finish(in, state.grid, 0); });
     long floors = 0;
+    state.groups[0]->transfer->find_bins(state.grid.lattice, p);
     for (int b = 0; b < bins; ++b) {
       double wanted = 0, spare = 0, is = 0;
-      for (int q = p.first(b); q < p.first(b + 1); ++q) {
+      for (int q = 0; q < p.count; ++q) {
+        if (p.bin(q) != b) continue;
         wanted += p.m(q) * (before[q] + given[q]);
         spare += p.m(q) * (0.8 * before[q] + given[q]);
         is += p.m(q) * p.history(q, 0);

@@ -63,43 +63,50 @@ TEST(RowLayout, HoldsEachBinOnce) {
   }
 }
 
-/// Weights and slopes in packs are those of the shape, one by one.
-template <class S>
-void expect_packs_as_shape() {
-  using L = Lanes<2, S::width>;
-  const Lattice<2> lattice({0., 0.}, {8, 8}, 0.5);
-  Particles<PlaneStrain> points(1, {});
-  points.vol(0) = 0.1;
-  for (const double x : {1.01, 1.26, 1.49})
-    for (const double y : {1.6, 1.74, 1.9}) {
-      points.position(0, 0) = x;
-      points.position(0, 1) = y;
-      const double at[2] = {lattice.in_cells(x, 0), lattice.in_cells(y, 1)};
-      const int base[2] = {S::base(at[0]), S::base(at[1])};
-      const Stencil<PlaneStrain, S> stencil(lattice, base, points, 0);
-      double w[2][S::width], slope[2][S::width];
-      for (int d = 0; d < 2; ++d)
-        S::at(at[d] - base[d], points.half_length(0, d, lattice.h), w[d], slope[d]);
-      for (int k = 0; k < L::packs; ++k)
-        for (int lane = 0; lane < L::count; ++lane) {
-          if (!L::used(lane)) {
-            EXPECT_EQ(stencil.weight[k][lane], 0);
-            continue;
-          }
-          const int i = L::digit(k, lane, 0), j = L::digit(k, lane, 1);
-          EXPECT_NEAR(stencil.weight[k][lane], w[0][i] * w[1][j], 1e-15);
-          EXPECT_NEAR(stencil.gradient(k, 0)[lane], slope[0][i] * w[1][j] / lattice.h, 1e-14);
-          EXPECT_NEAR(stencil.gradient(k, 1)[lane], w[0][i] * slope[1][j] / lattice.h, 1e-14);
-          EXPECT_NEAR(stencil.arm(k, 0)[lane], (i + base[0]) * lattice.h - x, 1e-14);
-        }
+/// Weights and slopes of bundles, full and not, are those of the shape, particle by particle.
+template <class S, bool full>
+void expect_bundle_as_shape(const Bundle<full>& bundle) {
+  using N = Around<2, S::width>;
+  const Lattice<2> lattice({0., 0.}, {12, 12}, 0.5);
+  Particles<PlaneStrain> points(2 * Wide::lanes, {});
+  Wide base[2];
+  for (int d = 0; d < 2; ++d)
+    base[d] = Wide::of([&](int lane) {
+      const int q = bundle.first + lane;
+      points.vol(q) = 0.02 * (1 + q);
+      points.position(q, d) = 1.01 + 0.43 * q + 0.3 * d;
+      return S::base(lattice.in_cells(points.position(q, d), d));
+    });
+  const Stencil<PlaneStrain, S> stencil(lattice, base, points, bundle);
+  for (int lane = 0; lane < bundle.size(); ++lane) {
+    const int q = bundle.first + lane;
+    double w[2][S::width], slope[2][S::width];
+    for (int d = 0; d < 2; ++d)
+      S::at(lattice.in_cells(points.position(q, d), d) - base[d][lane],
+            points.half_length(q, d, lattice.h), w[d], slope[d]);
+    for (int k = 0; k < N::count; ++k) {
+      const int i = N::digit(k, 0), j = N::digit(k, 1);
+      EXPECT_NEAR(stencil.weight(k)[lane], w[0][i] * w[1][j], 1e-14);
+      EXPECT_NEAR(stencil.gradient(k, 0)[lane], slope[0][i] * w[1][j], 1e-14);
+      EXPECT_NEAR(stencil.gradient(k, 1)[lane], w[0][i] * slope[1][j], 1e-14);
+      EXPECT_NEAR(stencil.arm(k, 0)[lane], i + base[0][lane] - points.position(q, 0) / lattice.h,
+                  1e-14);
     }
+  }
 }
 
-TEST(Packs, HoldWhatTheShapesSay) {
-  expect_packs_as_shape<Linear>();
-  expect_packs_as_shape<Gimp>();
-  expect_packs_as_shape<QuadraticSpline>();
-  expect_packs_as_shape<CubicSpline>();
+template <class S>
+void expect_bundles_as_shape() {
+  expect_bundle_as_shape<S>(Bundle<true>{0});
+  expect_bundle_as_shape<S>(Bundle<false>{0, 5, true});
+  expect_bundle_as_shape<S>(Bundle<false>{2, 3, false});
+}
+
+TEST(Bundles, SeeTheNodesAsTheShapesSay) {
+  expect_bundles_as_shape<Linear>();
+  expect_bundles_as_shape<Gimp>();
+  expect_bundles_as_shape<QuadraticSpline>();
+  expect_bundles_as_shape<CubicSpline>();
 }
 
 }  // namespace

@@ -127,7 +127,7 @@ std::unique_ptr<Group<PlaneStrain>> one_particle(const std::string& law, bool mi
   p.m(0) = 7850;
   p.vol(0) = 1;
   group->initialise(0, false);
-  p.template set_sigma<Stress::tensor>(0, {{3e8, -1e8, 5e7, 2e8, 0, 0}});
+  p.template set_sigma<Stress::tensor>(0, Sym3{{3e8, -1e8, 5e7, 2e8, 0, 0}});
   for (int d = 0; d < 2; ++d) p.position(0, d) = 2;
   Sorter<PlaneStrain>().sort(p, *group->transfer, Lattice<2>({0., 0.}, {4, 4}, 1));
   return group;
@@ -171,7 +171,7 @@ TEST(Rotation, TurnsTheNormalOfACrack) {
   const auto fields = group->history_fields();
   int normal_x = 0;
   while (fields[normal_x].name != "normal x") ++normal_x;
-  p.template set_sigma<Stress::tensor>(0, {});
+  p.template set_sigma<Stress::tensor>(0, Sym3{});
   p.history(0, normal_x) = 1;
   const double dt = 1e-3, spin = 2 / dt * std::tan(std::acos(-1.) / 40);  // ten steps are a quarter
   p.gradient(0, 1) = -spin;

@@ -73,16 +73,30 @@ void expect_sorted(Particles<G> p, const TransferChoice& choice) {
   EXPECT_EQ(p.first(0), 0);
   EXPECT_EQ(p.first(grid.size), expected_inside);
   EXPECT_EQ(p.first(grid.size + 1), count);
-  for (int bin = 0; bin <= grid.size; ++bin) {
-    const auto& ids = expected[bin];
-    ASSERT_EQ(p.first(bin + 1) - p.first(bin), static_cast<int>(ids.size())) << "bin " << bin;
-    for (int k = 0; k < static_cast<int>(ids.size()); ++k) {
-      const int q = p.first(bin) + k;
-      ASSERT_EQ(p.id(q), ids[k]) << "not stable";
-      ASSERT_EQ(p.history(q, 1), 3 * static_cast<double>(ids[k])) << "columns torn apart";
-      ASSERT_EQ(inside(p, q), bin < grid.size);
-    }
+  for (int bin = 0; bin <= grid.size; ++bin)
+    ASSERT_EQ(p.first(bin + 1) - p.first(bin), static_cast<int>(expected[bin].size()))
+        << "bin " << bin;
+  for (int q = 0; q < count; ++q) {
+    ASSERT_EQ(p.history(q, 1), 3 * static_cast<double>(p.id(q))) << "columns torn apart";
+    ASSERT_EQ(inside(p, q), q < expected_inside);
   }
+
+  std::map<int, std::vector<std::int64_t>> found;  // the same, tile by tile
+  const RowLayout<G::dim> layout(grid);
+  for (int k = 0; k < layout.rows; ++k)
+    p.for_tiles(layout.row(k), 1, [&](const Tile& tile) {
+      for (int lane = 1; lane < Wide::lanes; ++lane)
+        ASSERT_GE(tile.counts[lane - 1], tile.counts[lane]);
+      int end = tile.first;
+      tile.for_bundles([&](const auto& b) {
+        ASSERT_EQ(b.first, end) << "a gap";
+        end += b.size();
+        for (int lane = 0; lane < b.size(); ++lane)
+          found[tile.bin + tile.order[lane]].push_back(p.id(b.first + lane));
+      });
+    });
+  for (int q = expected_inside; q < count; ++q) found[grid.size].push_back(p.id(q));
+  EXPECT_EQ(found, expected) << "not stable, or in the wrong bin";
 }
 
 TYPED_TEST(Sorting, IsStableCountsBinsAndPutsLeaversLast) {
@@ -233,7 +247,8 @@ TEST(Extents, FollowTheStrainButNeverGetThin) {
   auto p = block(0.1, 0.1);
   Mat<2> gradient;
   gradient(0, 0) = 1;
-  for (int k = 0; k < 20; ++k) p.stretch(0, gradient, 0.1);
+  p.set_matrix(p.gradient, 0, gradient);
+  for (int k = 0; k < 20; ++k) p.stretch(0, 0.1);
   EXPECT_NEAR(p.extent(0, 0), 0.1 * std::pow(1.1, 20), 1e-15);
   EXPECT_DOUBLE_EQ(p.extent(0, 1), p.extent(0, 0) / 4);
   // The box of the extents has the particle's volume.

@@ -225,8 +225,8 @@ TYPED_TEST(EveryTransfer, KnowsTheMeanOfAConstant) {
     for (int n = 0; n < lattice.size; ++n)
       mean(n, 0) = state.sums.total(n, 1) > 0 ? state.sums.total(n, 0) / state.sums.total(n, 1) : 0;
     test::sweep(lattice, [&](auto& in) {
-      transfer.gather_scalar(in, p, mean, 0, Entry{p.scratch, 1}, 0, 2);
-      transfer.gather_scalar(in, p, mean, 0, Entry{p.scratch, 0}, 1, -1);
+      transfer.gather_scalar(in, p, {mean}, Entry{p.scratch, 1}, 0, 2);
+      transfer.gather_scalar(in, p, {mean}, Entry{p.scratch, 0}, 1, -1);
     });
     for (int q = 0; q < p.count; ++q) {
       ASSERT_NEAR(p.scratch(q, 1), 14, 1e-13);
