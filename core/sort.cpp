@@ -118,11 +118,12 @@ int Sorter<G>::sort(Particles<G>& particles, const Lattice<G::dim>& lattice) {
   Kokkos::parallel_reduce("lay tiles", Kokkos::RangePolicy<Space>(0, layout.rows),
                           LayTiles<G::dim>{layout, first, source, tiled, particles.order},
                           Kokkos::MinMax<int>(moved));
-  Kokkos::parallel_for(
-      "those that have left", Kokkos::RangePolicy<Space>(inside, count),
-      KOKKOS_LAMBDA(const int i) { tiled(i) = source(i); });
-  if (inside < count) moved.max_val = count - 1;
-  moved.min_val = std::min(moved.min_val, inside);
+  if (inside < count) {
+    const auto left = Kokkos::make_pair(inside, count);
+    Kokkos::deep_copy(Kokkos::subview(tiled, left), Kokkos::subview(source, left));
+    moved.min_val = std::min(moved.min_val, inside);
+    moved.max_val = count - 1;
+  }
 
   // Of a few that are out of place only the stretch between the first and the last is rewritten:
   // ahead of a blast nothing moves.

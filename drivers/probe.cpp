@@ -185,8 +185,8 @@ void Riders<G>::carry_with(const Group<G>& group, const State<G>& state, double 
   const int count = static_cast<int>(riders.size());
   if (points_.capacity() < count) points_ = Particles<G>(static_cast<int>(windows.size()), {});
   points_.count = count;
-  const auto place = Kokkos::create_mirror_view(points_.position);
-  const auto id = Kokkos::create_mirror_view(points_.id);
+  const auto place = Kokkos::create_mirror(points_.position);  // which the sort moves
+  const auto id = Kokkos::create_mirror(points_.id);
   for (int q = 0; q < count; ++q) {
     id(q) = riders[q];
     for (int d = 0; d < D; ++d) place(q, d) = windows[riders[q]].place[d];

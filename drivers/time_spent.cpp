@@ -21,7 +21,7 @@ constexpr std::pair<std::string_view, const char*> beginnings[] = {
     {"count bins", "sort particles"},
     {"places of bins", "sort particles"},
     {"order of", "sort particles"},
-    {"out of place", "sort particles"},
+    {"lay tiles", "sort particles"},
     {"permute", "sort particles"},
     {"count parts", "split particles"},
     {"place parts", "split particles"},

@@ -24,7 +24,7 @@ struct TimeSpent {
   double measured_steps = 0;     ///< those whose kernels were timed; the others are like them
 };
 
-/// The kernels with those that are alike as one: "permute" and "permute back", all that the library
+/// The kernels with those that are alike as one: "count bins" and "permute", all that the library
 /// does to arrays, and so on; longest first.
 std::vector<TimeRow> alike_together(const std::vector<TimeRow>& kernels);
 

@@ -53,7 +53,7 @@ Cost cost_of(int dim, const std::vector<std::string>& assignments) {
 }
 
 const Names sorting = {"find bins", "count bins", "places of bins", "order of particles",
-                       "out of place"};
+                       "lay tiles"};
 
 Names operator+(Names a, const Names& b) {
   a.insert(b.begin(), b.end());
@@ -65,7 +65,7 @@ Names operator-(Names a, const Names& b) {
 }
 
 // In the second step no particle changes its cell, so nothing is permuted.
-const Names permuting = {"permute", "permute back"};
+const Names permuting = {"permute"};
 
 TEST(Cost, OfPaperOnALineIsTheStepOfAppendixA) {
   const Cost cost = cost_of(1, {"preset=paper"});

@@ -74,7 +74,8 @@ void expect_sorted(Particles<G> p, const TransferChoice& choice) {
   EXPECT_EQ(p.first(grid.size), expected_inside);
   EXPECT_EQ(p.first(grid.size + 1), count);
   for (int bin = 0; bin <= grid.size; ++bin)
-    ASSERT_EQ(p.first(bin + 1) - p.first(bin), static_cast<int>(expected[bin].size()))
+    ASSERT_EQ(p.first(bin + 1) - p.first(bin),
+              expected.count(bin) > 0 ? static_cast<int>(expected[bin].size()) : 0)
         << "bin " << bin;
   for (int q = 0; q < count; ++q) {
     ASSERT_EQ(p.history(q, 1), 3 * static_cast<double>(p.id(q))) << "columns torn apart";
