@@ -37,7 +37,53 @@ std::string reason(int error) {
 /// Some file systems know no fsync and say so by EINVAL; there is nothing more to be done on them.
 bool sync(int handle) { return ::fsync(handle) == 0 || errno == EINVAL || errno == ENOTSUP; }
 
+[[noreturn]] void cannot_write(const std::filesystem::path& path, int error) {
+  throw std::runtime_error("cannot write '" + path.string() + "': " + reason(error));
+}
+
+std::filesystem::path folder_of(const std::filesystem::path& path) {
+  return path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+}
+
+/// What was written under the names in a folder is safe only when the folder is on the disk, too.
+void sync_folder(const std::filesystem::path& folder) {
+  const int opened = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (opened < 0) return;
+  sync(opened);
+  ::close(opened);
+}
+
+/// f(handle) says whether it is done with each file.
+template <class F>
+void each_open(const std::set<std::filesystem::path>& paths, const F& f) {
+  for (const auto& path : paths) {
+    const int handle = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (handle < 0 && errno == ENOENT) continue;
+    if (handle < 0) cannot_write(path, errno);
+    const int error = f(handle) ? 0 : errno;
+    ::close(handle);
+    if (error != 0) cannot_write(path, error);
+  }
+}
+
 }  // namespace
+
+// The disk is given everything before anything is waited for. Once all data are there, the first
+// fsync writes the journal for all files together and leaves the others little to do.
+void Backlog::force() {
+  each_open(paths_,
+            [](int handle) { return ::sync_file_range(handle, 0, 0, SYNC_FILE_RANGE_WRITE) == 0; });
+  each_open(paths_, [](int handle) {
+    return ::sync_file_range(handle, 0, 0,
+                             SYNC_FILE_RANGE_WAIT_BEFORE | SYNC_FILE_RANGE_WRITE |
+                                 SYNC_FILE_RANGE_WAIT_AFTER) == 0;
+  });
+  each_open(paths_, sync);
+  std::set<std::filesystem::path> folders;
+  for (const auto& path : paths_) folders.insert(folder_of(path));
+  for (const auto& folder : folders) sync_folder(folder);
+  paths_.clear();
+}
 
 AtomicFile::AtomicFile(const std::filesystem::path& path) : path_(path), temporary_(path) {
   temporary_ += ".tmp";
@@ -60,20 +106,16 @@ void AtomicFile::write(const void* data, std::size_t bytes) {
   }
 }
 
-void AtomicFile::commit() {
+void AtomicFile::commit(Backlog* later) {
   flush();
-  if (!sync(handle_)) fail(errno);
+  if (!later && !sync(handle_)) fail(errno);
   const int closed = ::close(handle_);
   handle_ = -1;
   if (closed != 0 || std::rename(temporary_.c_str(), path_.c_str()) != 0) fail(errno);
-
-  // The new name itself is safe only when the folder is on the disk too.
-  const auto folder = path_.has_parent_path() ? path_.parent_path() : std::filesystem::path(".");
-  const int opened = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (opened >= 0) {
-    sync(opened);
-    ::close(opened);
-  }
+  if (later)
+    later->add(path_);
+  else
+    sync_folder(folder_of(path_));
 }
 
 void AtomicFile::flush() {
@@ -99,13 +141,13 @@ void AtomicFile::discard() {
 
 void AtomicFile::fail(int error) {
   discard();
-  throw std::runtime_error("cannot write '" + path_.string() + "': " + reason(error));
+  cannot_write(path_, error);
 }
 
-void write_file(const std::filesystem::path& path, std::string_view text) {
+void write_file(const std::filesystem::path& path, std::string_view text, Backlog* later) {
   AtomicFile file(path);
   file.write(text);
-  file.commit();
+  file.commit(later);
 }
 
 std::string read_file(const std::filesystem::path& path) {

@@ -12,7 +12,7 @@ Recording::Recording(const List& scene, Simulation& simulation, const Ledger& le
       times_(scene) {}
 
 void Recording::open(const std::filesystem::path& folder, const List& scene) {
-  results_.emplace(folder, scene, ledger_);
+  results_.emplace(folder, scene, ledger_, backlog_);
 }
 
 void Recording::follow() {
@@ -32,7 +32,7 @@ Snapshot Recording::output() {
   if (observers_.none()) return shot;
   keeper_.on(TimeKeeper::watches, [&] {
     observers_.observe(shot);
-    if (results_) observers_.write(results_->folder());
+    if (results_) observers_.write(results_->folder(), &backlog_);
   });
   return shot;
 }

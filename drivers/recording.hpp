@@ -35,6 +35,10 @@ class Recording {
 
   void keep(Archive& archive);
 
+  /// Forces to the disk what has been written so far. A checkpoint must not be there before that:
+  /// who takes it up does not write the outputs of the time before it again.
+  void secure() { backlog_.force(); }
+
  private:
   Simulation& simulation_;
   const Ledger& ledger_;
@@ -42,6 +46,7 @@ class Recording {
   TimeKeeper& keeper_;
   Observers observers_;
   OutputTimes times_;
+  Backlog backlog_;
   std::optional<Results> results_;
 };
 

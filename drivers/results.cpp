@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <sstream>
 
-#include "drivers/files.hpp"
 #include "drivers/input.hpp"
 #include "version.hpp"
 
@@ -57,8 +56,8 @@ void keep_series(Archive& archive, const std::string& name, const std::string& e
   for (const double time : times)
     if (std::getline(lines, file)) entries.push_back({time, file});
   const auto folder = series.path().parent_path();
-  for (std::size_t k = entries.size(); std::filesystem::remove(folder / numbered(name, k, extension));
-       ++k) {
+  for (std::size_t k = entries.size();
+       std::filesystem::remove(folder / numbered(name, k, extension)); ++k) {
   }
   series.resume(std::move(entries));
 }
@@ -98,11 +97,13 @@ class Columns {
 
 }  // namespace
 
-Results::Results(const std::filesystem::path& folder, const List& scene, const Ledger& ledger)
+Results::Results(const std::filesystem::path& folder, const List& scene, const Ledger& ledger,
+                 Backlog& backlog)
     : folder_(folder),
+      backlog_(backlog),
       choice_(scene),
-      particle_series_(folder / "particles.pvd"),
-      grid_series_(folder / "grid.pvd"),
+      particle_series_(folder / "particles.pvd", &backlog),
+      grid_series_(folder / "grid.pvd", &backlog),
       history_(ledger.head()) {
   make_folder(folder_);
   write_input(scene, (folder_ / "input.xml").string(),
@@ -129,7 +130,7 @@ void Results::add_particles(const Snapshot& shot) {
   for (const auto& field : t.fields) columns.add(field.name, field.values);
   const std::string file = numbered("particles", particle_series_.entries().size(), ".vtp");
   vtk::write_vtp(folder_ / file, columns.column("Points", 3, interleaved(t.x, t.y, t.z)),
-                 columns.all);
+                 columns.all, &backlog_);
   particle_series_.add(shot.time, folder_ / file);
 }
 
@@ -154,13 +155,13 @@ void Results::add_grid(const Snapshot& shot) {
   columns.add("energy", energy);
   columns.add_vector("velocity", [&] { return velocity; });
   const std::string file = numbered("grid", grid_series_.entries().size(), ".vti");
-  vtk::write_vti(folder_ / file, box_of(t), {}, columns.all);
+  vtk::write_vti(folder_ / file, box_of(t), {}, columns.all, &backlog_);
   grid_series_.add(shot.time, folder_ / file);
 }
 
 void Results::add(const Ledger& ledger, const Balance& balance) {
   note(ledger, balance);
-  write_file(folder_ / "history.csv", history_);
+  write_file(folder_ / "history.csv", history_, &backlog_);
 }
 
 void Results::keep(Archive& archive) {
@@ -168,7 +169,7 @@ void Results::keep(Archive& archive) {
   archive.keep("history.csv", history_);
   keep_series(archive, "particles", ".vtp", particle_series_);
   keep_series(archive, "grid", ".vti", grid_series_);
-  if (archive.reading()) write_file(folder_ / "history.csv", history_);
+  if (archive.reading()) write_file(folder_ / "history.csv", history_, &backlog_);
 }
 
 void Results::write_exact(const ExactSolution& exact, const Snapshot& shot) {
@@ -190,7 +191,7 @@ void Results::write_exact(const ExactSolution& exact, const Snapshot& shot) {
                   s.v[0], s.p, s.e);
     text += line;
   }
-  write_file(folder_ / "exact.csv", text);
+  write_file(folder_ / "exact.csv", text, &backlog_);
 }
 
 }  // namespace brisance

@@ -5,6 +5,7 @@
 
 #include "core/parameters.hpp"
 #include "drivers/exact.hpp"
+#include "drivers/files.hpp"
 #include "drivers/ledger.hpp"
 #include "drivers/output_choice.hpp"
 #include "drivers/simulation.hpp"
@@ -15,12 +16,14 @@ namespace brisance {
 /// Writes into one folder; all failures throw std::runtime_error with one line.
 class Results {
  public:
-  /// Makes the folder and writes the completed scene into it.
-  Results(const std::filesystem::path& folder, const List& scene, const Ledger& ledger);
+  /// Makes the folder and writes the completed scene into it. What follows goes into the backlog,
+  /// which outlives this.
+  Results(const std::filesystem::path& folder, const List& scene, const Ledger& ledger,
+          Backlog& backlog);
 
   /// Particles and grid at one time.
   void add(const Snapshot& shot);
-  /// A line of history.csv, on the disk at once; or kept until the next that is.
+  /// A line of history.csv, written at once; or kept until the next that is.
   void add(const Ledger& ledger, const Balance& balance);
   void note(const Ledger& ledger, const Balance& balance) { history_ += ledger.line(balance); }
   /// The exact solution along the scene at its end, for plots.
@@ -34,6 +37,7 @@ class Results {
 
  private:
   std::filesystem::path folder_;
+  Backlog& backlog_;
   OutputChoice choice_;
   vtk::Series particle_series_, grid_series_;
   std::string history_;

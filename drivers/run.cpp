@@ -175,6 +175,7 @@ class Run {
     return keeper_.on(TimeKeeper::checkpoints, [&] {
       try {
         spend();
+        recording_.secure();
         Archive archive;
         keep(archive);
         checkpoints_->write(head_of(scene_, *simulation_), std::move(archive));
@@ -207,8 +208,10 @@ class Run {
     const Snapshot shot = recording_.output();
     measure(shot);
     recording_.write_exact(shot);
+    const bool writes = !options_.folder.empty();
+    if (writes) keeper_.on(TimeKeeper::disk, [&] { recording_.secure(); });
     outcome_.spent = keeper_.so_far();
-    if (!options_.folder.empty())
+    if (writes)
       write_file(options_.folder / "summary.json", summary_text(scene_, outcome_, ledger_, end));
     result_.report = report(scene_, outcome_, ledger_, end, options_.folder);
     for (const auto& line : result_.report) progress_->log(line);

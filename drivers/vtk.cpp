@@ -116,7 +116,7 @@ class Document {
     line("</" + element + '>');
   }
 
-  void write(const std::filesystem::path& path) {
+  void write(const std::filesystem::path& path, Backlog* later) {
     AtomicFile file(path);
     file.write(header_ + "<AppendedData" + with("encoding", "raw") + ">\n_");
     for (const auto* array : arrays_) {
@@ -125,7 +125,7 @@ class Document {
       file.write(array->bytes().data(), size);
     }
     file.write("\n</AppendedData>\n</VTKFile>\n");
-    file.commit();
+    file.commit(later);
   }
 
  private:
@@ -184,12 +184,12 @@ template Column::Column(std::string, int, const std::vector<std::int32_t>&);
 template Column::Column(std::string, int, const std::vector<std::uint8_t>&);
 
 void write_vtp(const std::filesystem::path& path, const std::vector<double>& points,
-               const std::vector<Column>& columns) {
-  write_vtp(path, Column("Points", 3, points), columns);
+               const std::vector<Column>& columns, Backlog* later) {
+  write_vtp(path, Column("Points", 3, points), columns, later);
 }
 
 void write_vtp(const std::filesystem::path& path, const Column& places,
-               const std::vector<Column>& columns) {
+               const std::vector<Column>& columns, Backlog* later) {
   const std::size_t count = places.rows();
   std::vector<std::int64_t> indices(count);
   std::iota(indices.begin(), indices.end(), 0);
@@ -210,7 +210,7 @@ void write_vtp(const std::filesystem::path& path, const Column& places,
   document.array(connectivity);
   document.array(offsets);
   document.line("</Verts>\n</Piece>\n</PolyData>");
-  document.write(path);
+  document.write(path, later);
 }
 
 std::size_t Box::count_points() const {
@@ -224,7 +224,8 @@ std::size_t Box::count_cells() const {
 }
 
 void write_vti(const std::filesystem::path& path, const Box& box,
-               const std::vector<Column>& point_columns, const std::vector<Column>& cell_columns) {
+               const std::vector<Column>& point_columns, const std::vector<Column>& cell_columns,
+               Backlog* later) {
   std::string extent;
   for (const int cells : box.cells)
     extent += (extent.empty() ? "0 " : " 0 ") + std::to_string(cells);
@@ -235,7 +236,7 @@ void write_vti(const std::filesystem::path& path, const Box& box,
   document.columns("PointData", point_columns, box.count_points());
   document.columns("CellData", cell_columns, box.count_cells());
   document.line("</Piece>\n</ImageData>");
-  document.write(path);
+  document.write(path, later);
 }
 
 Series Series::resumed(std::filesystem::path path, double time) {
@@ -282,7 +283,7 @@ void Series::write() const {
     text += "<DataSet" + with("timestep", text_of(entry.time)) + with("group", "") +
             with("part", "0") + with("file", entry.file) + "/>\n";
   }
-  write_file(path_, text + "</Collection>\n</VTKFile>\n");
+  write_file(path_, text + "</Collection>\n</VTKFile>\n", later_);
 }
 
 }  // namespace brisance::vtk

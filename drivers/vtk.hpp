@@ -1,13 +1,19 @@
 #pragma once
 // Particles and grids in the XML formats of VTK, as ParaView opens them: data appended raw behind
 // the XML header, 64-bit sizes. Host code on the standard library alone. Every file is written by
-// temporary file and rename.
+// temporary file and rename, and forced to the disk at once or with all that is in a backlog.
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
+
+namespace brisance {
+
+class Backlog;
+
+}  // namespace brisance
 
 namespace brisance::vtk {
 
@@ -39,10 +45,10 @@ class Column {
 /// one row per point. No points at all is a valid file. Throws std::invalid_argument for columns of
 /// another length.
 void write_vtp(const std::filesystem::path& path, const std::vector<double>& points,
-               const std::vector<Column>& columns);
+               const std::vector<Column>& columns, Backlog* later = nullptr);
 /// The same for points of another type: "Points" in rows of three.
 void write_vtp(const std::filesystem::path& path, const Column& points,
-               const std::vector<Column>& columns);
+               const std::vector<Column>& columns, Backlog* later = nullptr);
 
 /// A box of equal cells; 0 cells along a direction make it flat there, as a 1-D or 2-D grid is.
 struct Box {
@@ -56,7 +62,8 @@ struct Box {
 
 /// A grid: ImageData with values at the nodes and in the cells, x fastest.
 void write_vti(const std::filesystem::path& path, const Box& box,
-               const std::vector<Column>& point_columns, const std::vector<Column>& cell_columns);
+               const std::vector<Column>& point_columns, const std::vector<Column>& cell_columns,
+               Backlog* later = nullptr);
 
 /// The `.pvd` file that gives a time to each file of a series. It is rewritten at each addition, so
 /// that a run that is stopped leaves a readable series.
@@ -68,7 +75,8 @@ class Series {
   };
 
   /// A new series; nothing is written before the first addition.
-  explicit Series(std::filesystem::path path) : path_(std::move(path)) {}
+  explicit Series(std::filesystem::path path, Backlog* later = nullptr)
+      : path_(std::move(path)), later_(later) {}
 
   /// Goes on with the series that a run left behind, without its entries at or after `time` [s]; if
   /// there is no file, a new one. Throws std::runtime_error if the file is no series of ours.
@@ -86,6 +94,7 @@ class Series {
 
  private:
   std::filesystem::path path_;
+  Backlog* later_;
   std::vector<Entry> entries_;
 
   void write() const;
