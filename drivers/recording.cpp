@@ -20,11 +20,16 @@ void Recording::follow() {
   keeper_.on(TimeKeeper::watches, [&] { observers_.follow(simulation_); });
 }
 
-Snapshot Recording::output() {
+bool Recording::shown() const {
+  return observers_.look_at_particles() || (results_ && results_->takes_particles());
+}
+
+Snapshot Recording::output(bool look) {
   Snapshot shot = keeper_.on(TimeKeeper::output, [&] {
-    Snapshot now = simulation_.snapshot();
+    Snapshot now;
+    if (look) now = simulation_.snapshot();
     if (results_) {
-      results_->add(now);
+      if (results_->takes_particles()) results_->add(now);
       results_->add(ledger_, simulation_.balance());
     }
     return now;
@@ -38,8 +43,10 @@ Snapshot Recording::output() {
 }
 
 void Recording::output_if_seen() {
-  if (results_ || observers_.look_at_particles()) output();
+  if (results_ || shown()) output(shown());
 }
+
+Snapshot Recording::last_output() { return output(shown() || exact_); }
 
 void Recording::output_if_due() {
   const auto due = times_.due(simulation_.step_count(), simulation_.time());

@@ -21,12 +21,12 @@ class Recording {
 
   /// To be called at the start and after each step.
   void follow();
-  /// An output now; returns what was written.
-  Snapshot output();
   /// The output at the start, which costs nothing where nobody looks.
   void output_if_seen();
   /// To be called after each step but the last.
   void output_if_due();
+  /// The output at the end; returns what was written or is to be measured.
+  Snapshot last_output();
 
   /// To be called after the last output, with that.
   std::vector<Measure> measures(const Snapshot& end) const { return observers_.measures(end); }
@@ -48,6 +48,10 @@ class Recording {
   OutputTimes times_;
   Backlog backlog_;
   std::optional<Results> results_;
+
+  /// The particles are copied where somebody looks at them.
+  Snapshot output(bool look);
+  bool shown() const;
 };
 
 }  // namespace brisance

@@ -5,6 +5,7 @@
 #include <cfloat>
 #include <cstdio>
 #include <sstream>
+#include <type_traits>
 
 #include "drivers/input.hpp"
 #include "version.hpp"
@@ -13,13 +14,6 @@ namespace brisance {
 namespace {
 
 using Doubles = std::vector<double>;
-
-Doubles interleaved(const Doubles& x, const Doubles& y, const Doubles& z) {
-  Doubles all;
-  all.reserve(3 * x.size());
-  for (std::size_t k = 0; k < x.size(); ++k) all.insert(all.end(), {x[k], y[k], z[k]});
-  return all;
-}
 
 std::string numbered(const std::string& name, std::size_t place, const std::string& extension) {
   char number[32];
@@ -62,31 +56,48 @@ void keep_series(Archive& archive, const std::string& name, const std::string& e
   series.resume(std::move(entries));
 }
 
-/// The columns of one file, as far as they were chosen and as precise.
+template <class T>
+T rounded(double value) {
+  // What is too large for a float must not become infinite.
+  if constexpr (std::is_same_v<T, float>) value = std::clamp<double>(value, -FLT_MAX, FLT_MAX);
+  return static_cast<T>(value);
+}
+
+/// Rows of the numbers of several vectors, which outlive the column; an empty one is 0 everywhere.
+template <class T>
+vtk::Column rows_of(const std::string& name, const std::vector<const Doubles*>& parts) {
+  const std::size_t width = parts.size();
+  return vtk::Column::made<T>(name, static_cast<int>(width), parts.front()->size(),
+                              [parts, width](std::size_t begin, std::size_t end, T* to) {
+                                for (std::size_t k = 0; k < width; ++k) {
+                                  const Doubles& from = *parts[k];
+                                  for (std::size_t row = begin; row < end; ++row)
+                                    to[(row - begin) * width + k] =
+                                        from.empty() ? T(0) : rounded<T>(from[row]);
+                                }
+                              });
+}
+
+/// The columns of one file, as far as they were chosen and as precise. What they are made of
+/// outlives them.
 class Columns {
  public:
   explicit Columns(const OutputChoice& choice) : choice_(choice) {}
 
-  vtk::Column column(const std::string& name, int components, const Doubles& values) const {
-    if (!choice_.single()) return vtk::Column(name, components, values);
-    std::vector<float> rounded(values.size());
-    // What is too large for a float must not become infinite.
-    std::transform(values.begin(), values.end(), rounded.begin(), [](double value) {
-      return static_cast<float>(std::clamp<double>(value, -FLT_MAX, FLT_MAX));
-    });
-    return vtk::Column(name, components, rounded);
+  vtk::Column column(const std::string& name, const std::vector<const Doubles*>& parts) const {
+    return choice_.single() ? rows_of<float>(name, parts) : rows_of<double>(name, parts);
   }
-  void add(const std::string& name, const Doubles& values) {
-    if (choice_.has(name)) all.push_back(column(name, 1, values));
-  }
-  /// `make` gives the numbers, if they are wanted.
-  template <class F>
-  void add_vector(const std::string& name, const F& make) {
-    if (choice_.has(name)) all.push_back(column(name, 3, make()));
+  void add(const std::string& name, const std::vector<const Doubles*>& parts) {
+    if (choice_.has(name)) all.push_back(column(name, parts));
   }
   template <class T>
   void add_whole(const std::string& name, const std::vector<T>& values) {
-    if (choice_.has(name)) all.emplace_back(name, values);
+    if (!choice_.has(name)) return;
+    const T* from = values.data();
+    all.push_back(vtk::Column::made<T>(name, 1, values.size(),
+                                       [from](std::size_t begin, std::size_t end, T* to) {
+                                         std::copy(from + begin, from + end, to);
+                                       }));
   }
 
   std::vector<vtk::Column> all;
@@ -119,24 +130,24 @@ void Results::add(const Snapshot& shot) {
 void Results::add_particles(const Snapshot& shot) {
   const ParticleTable& t = shot.table;
   Columns columns(choice_);
-  columns.add_vector("velocity", [&] { return interleaved(t.vx, t.vy, t.vz); });
-  columns.add("mass", t.mass);
-  columns.add("volume", t.volume);
-  columns.add("density", t.density);
-  columns.add("pressure", t.pressure);
-  columns.add("energy", t.energy);
-  columns.add_whole("material", std::vector<std::int32_t>(t.material.begin(), t.material.end()));
+  columns.add("velocity", {&t.vx, &t.vy, &t.vz});
+  columns.add("mass", {&t.mass});
+  columns.add("volume", {&t.volume});
+  columns.add("density", {&t.density});
+  columns.add("pressure", {&t.pressure});
+  columns.add("energy", {&t.energy});
+  columns.add_whole("material", t.material);
   columns.add_whole("id", shot.id);
-  for (const auto& field : t.fields) columns.add(field.name, field.values);
+  for (const auto& field : t.fields) columns.add(field.name, {&field.values});
   const std::string file = numbered("particles", particle_series_.entries().size(), ".vtp");
-  vtk::write_vtp(folder_ / file, columns.column("Points", 3, interleaved(t.x, t.y, t.z)),
-                 columns.all, &backlog_);
+  vtk::write_vtp(folder_ / file, columns.column("Points", {&t.x, &t.y, &t.z}), columns.all,
+                 &backlog_);
   particle_series_.add(shot.time, folder_ / file);
 }
 
 void Results::add_grid(const Snapshot& shot) {
   const ParticleTable& t = shot.table;
-  Doubles fill, density, pressure, energy, velocity;
+  Doubles fill, density, pressure, energy, velocity[3];
   double cell = 1;
   for (int d = 0; d < t.dim; ++d) cell *= t.cell_size;
   for (const Sums& s : sums_per_cell(t)) {
@@ -145,15 +156,15 @@ void Results::add_grid(const Snapshot& shot) {
     density.push_back(empty ? 0 : s.mean_density());
     pressure.push_back(empty ? 0 : s.mean_pressure());
     energy.push_back(empty ? 0 : s.mean_energy());
-    for (const double v : empty ? std::array<double, 3>{} : s.mean_velocity())
-      velocity.push_back(v);
+    const auto mean = empty ? std::array<double, 3>{} : s.mean_velocity();
+    for (int d = 0; d < 3; ++d) velocity[d].push_back(mean[d]);
   }
   Columns columns(choice_);
-  columns.add("fill", fill);
-  columns.add("density", density);
-  columns.add("pressure", pressure);
-  columns.add("energy", energy);
-  columns.add_vector("velocity", [&] { return velocity; });
+  columns.add("fill", {&fill});
+  columns.add("density", {&density});
+  columns.add("pressure", {&pressure});
+  columns.add("energy", {&energy});
+  columns.add("velocity", {&velocity[0], &velocity[1], &velocity[2]});
   const std::string file = numbered("grid", grid_series_.entries().size(), ".vti");
   vtk::write_vti(folder_ / file, box_of(t), {}, columns.all, &backlog_);
   grid_series_.add(shot.time, folder_ / file);

@@ -21,6 +21,8 @@ class Results {
   Results(const std::filesystem::path& folder, const List& scene, const Ledger& ledger,
           Backlog& backlog);
 
+  /// Whether particles or the grid, which is their means, are to be written.
+  bool takes_particles() const { return choice_.particles() || choice_.grid(); }
   /// Particles and grid at one time.
   void add(const Snapshot& shot);
   /// A line of history.csv, written at once; or kept until the next that is.

@@ -7,7 +7,6 @@
 #include <numeric>
 #include <stdexcept>
 #include <string_view>
-#include <type_traits>
 #include <utility>
 
 #include "drivers/files.hpp"
@@ -15,12 +14,8 @@
 namespace brisance::vtk {
 namespace {
 
-template <class T>
-std::string vtk_type() {
-  const std::string kind =
-      std::is_floating_point_v<T> ? "Float" : (std::is_signed_v<T> ? "Int" : "UInt");
-  return kind + std::to_string(8 * sizeof(T));
-}
+/// What is made at once of a column [B].
+constexpr std::size_t piece = 1 << 18;
 
 /// The shortest text that reads back to the same number, whatever the locale.
 std::string text_of(double value) {
@@ -92,7 +87,7 @@ class Document {
          with("NumberOfComponents", std::to_string(column.components())) +
          with("format", "appended") + with("offset", std::to_string(offset_)) + "/>");
     arrays_.push_back(&column);
-    offset_ += sizeof(std::uint64_t) + column.bytes().size();
+    offset_ += sizeof(std::uint64_t) + column.bytes();
   }
 
   /// PointData or CellData; the first number and the first vector are what a viewer colours and
@@ -119,10 +114,18 @@ class Document {
   void write(const std::filesystem::path& path, Backlog* later) {
     AtomicFile file(path);
     file.write(header_ + "<AppendedData" + with("encoding", "raw") + ">\n_");
+    std::vector<std::uint64_t> numbers;  // aligned for numbers of any type
     for (const auto* array : arrays_) {
-      const std::uint64_t size = array->bytes().size();
+      const std::uint64_t size = array->bytes();
       file.write(&size, sizeof size);
-      file.write(array->bytes().data(), size);
+      const std::size_t of_row = array->bytes_of_row(),
+                        rows = std::max<std::size_t>(piece / of_row, 1);
+      numbers.resize(std::max(numbers.size(), rows * of_row / sizeof(std::uint64_t) + 1));
+      for (std::size_t begin = 0; begin < array->rows(); begin += rows) {
+        const std::size_t end = std::min(array->rows(), begin + rows);
+        array->fill(begin, end, numbers.data());
+        file.write(numbers.data(), (end - begin) * of_row);
+      }
     }
     file.write("\n</AppendedData>\n</VTKFile>\n");
     file.commit(later);
@@ -165,24 +168,6 @@ std::vector<Series::Entry> entries_in(std::string_view text) {
 
 }  // namespace
 
-template <class T>
-Column::Column(std::string name, int components, const std::vector<T>& data)
-    : name_(std::move(name)), type_(vtk_type<T>()), components_(components) {
-  if (components < 1 || data.size() % static_cast<std::size_t>(components) != 0) {
-    throw std::invalid_argument("column '" + name_ + "' has " + std::to_string(data.size()) +
-                                " numbers for rows of " + std::to_string(components));
-  }
-  rows_ = data.size() / static_cast<std::size_t>(components);
-  bytes_.resize(data.size() * sizeof(T));
-  if (!data.empty()) std::memcpy(bytes_.data(), data.data(), bytes_.size());
-}
-
-template Column::Column(std::string, int, const std::vector<double>&);
-template Column::Column(std::string, int, const std::vector<float>&);
-template Column::Column(std::string, int, const std::vector<std::int64_t>&);
-template Column::Column(std::string, int, const std::vector<std::int32_t>&);
-template Column::Column(std::string, int, const std::vector<std::uint8_t>&);
-
 void write_vtp(const std::filesystem::path& path, const std::vector<double>& points,
                const std::vector<Column>& columns, Backlog* later) {
   write_vtp(path, Column("Points", 3, points), columns, later);
@@ -191,11 +176,13 @@ void write_vtp(const std::filesystem::path& path, const std::vector<double>& poi
 void write_vtp(const std::filesystem::path& path, const Column& places,
                const std::vector<Column>& columns, Backlog* later) {
   const std::size_t count = places.rows();
-  std::vector<std::int64_t> indices(count);
-  std::iota(indices.begin(), indices.end(), 0);
-  const Column connectivity("connectivity", indices);
-  std::iota(indices.begin(), indices.end(), 1);
-  const Column offsets("offsets", indices);
+  const auto counting = [count](const char* name, std::int64_t from) {
+    return Column::made<std::int64_t>(
+        name, 1, count, [from](std::size_t begin, std::size_t end, std::int64_t* to) {
+          std::iota(to, to + (end - begin), from + static_cast<std::int64_t>(begin));
+        });
+  };
+  const Column connectivity = counting("connectivity", 0), offsets = counting("offsets", 1);
 
   const auto n = std::to_string(count);
   Document document("PolyData");

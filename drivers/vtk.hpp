@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "drivers/vtk_column.hpp"
+
 namespace brisance {
 
 class Backlog;
@@ -16,30 +18,6 @@ class Backlog;
 }  // namespace brisance
 
 namespace brisance::vtk {
-
-/// One named array of a file: the numbers of all rows, row after row. A plain vector of double,
-/// float, int64, int32 or uint8 converts into it; the numbers are kept as the bytes that go into
-/// the file.
-class Column {
- public:
-  /// Throws std::invalid_argument if the numbers do not fill rows of that many components.
-  template <class T>
-  Column(std::string name, int components, const std::vector<T>& data);
-  template <class T>
-  Column(std::string name, const std::vector<T>& data) : Column(std::move(name), 1, data) {}
-
-  const std::string& name() const { return name_; }
-  const std::string& type() const { return type_; }  // as VTK calls it: Float64
-  int components() const { return components_; }
-  std::size_t rows() const { return rows_; }
-  const std::vector<char>& bytes() const { return bytes_; }
-
- private:
-  std::string name_, type_;
-  int components_;
-  std::size_t rows_ = 0;
-  std::vector<char> bytes_;
-};
 
 /// Particles: PolyData of one vertex per point. `points` holds x, y, z of each [m]; every column
 /// one row per point. No points at all is a valid file. Throws std::invalid_argument for columns of
