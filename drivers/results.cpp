@@ -2,6 +2,7 @@
 
 #include <Teuchos_ParameterList.hpp>
 #include <algorithm>
+#include <array>
 #include <cfloat>
 #include <cstdio>
 #include <sstream>
@@ -100,10 +101,30 @@ class Columns {
                                        }));
   }
 
+  /// What f tells of each cell: an array of numbers; 0 for an empty one.
+  template <class F>
+  void add_cells(const std::string& name, const std::vector<Sums>& cells, const F& f) {
+    if (choice_.has(name))
+      all.push_back(choice_.single() ? of_cells<float>(name, cells, f)
+                                     : of_cells<double>(name, cells, f));
+  }
+
   std::vector<vtk::Column> all;
 
  private:
   const OutputChoice& choice_;
+
+  template <class T, class F>
+  static vtk::Column of_cells(const std::string& name, const std::vector<Sums>& cells, const F& f) {
+    using Value = decltype(f(cells.front()));
+    return vtk::Column::made<T>(
+        name, std::tuple_size_v<Value>, cells.size(),
+        [&cells, f](std::size_t begin, std::size_t end, T* to) {
+          for (std::size_t c = begin; c < end; ++c)
+            for (const double number : cells[c].empty() ? Value{} : f(cells[c]))
+              *to++ = rounded<T>(number);
+        });
+  }
 };
 
 }  // namespace
@@ -147,24 +168,15 @@ void Results::add_particles(const Snapshot& shot) {
 
 void Results::add_grid(const Snapshot& shot) {
   const ParticleTable& t = shot.table;
-  Doubles fill, density, pressure, energy, velocity[3];
-  double cell = 1;
-  for (int d = 0; d < t.dim; ++d) cell *= t.cell_size;
-  for (const Sums& s : sums_per_cell(t)) {
-    const bool empty = s.empty();
-    fill.push_back(s.volume / cell);
-    density.push_back(empty ? 0 : s.mean_density());
-    pressure.push_back(empty ? 0 : s.mean_pressure());
-    energy.push_back(empty ? 0 : s.mean_energy());
-    const auto mean = empty ? std::array<double, 3>{} : s.mean_velocity();
-    for (int d = 0; d < 3; ++d) velocity[d].push_back(mean[d]);
-  }
+  const std::vector<Sums> cells = sums_per_cell(t);
+  double size = 1;
+  for (int d = 0; d < t.dim; ++d) size *= t.cell_size;
   Columns columns(choice_);
-  columns.add("fill", {&fill});
-  columns.add("density", {&density});
-  columns.add("pressure", {&pressure});
-  columns.add("energy", {&energy});
-  columns.add("velocity", {&velocity[0], &velocity[1], &velocity[2]});
+  columns.add_cells("fill", cells, [size](const Sums& s) { return std::array{s.volume / size}; });
+  columns.add_cells("density", cells, [](const Sums& s) { return std::array{s.mean_density()}; });
+  columns.add_cells("pressure", cells, [](const Sums& s) { return std::array{s.mean_pressure()}; });
+  columns.add_cells("energy", cells, [](const Sums& s) { return std::array{s.mean_energy()}; });
+  columns.add_cells("velocity", cells, [](const Sums& s) { return s.mean_velocity(); });
   const std::string file = numbered("grid", grid_series_.entries().size(), ".vti");
   vtk::write_vti(folder_ / file, box_of(t), {}, columns.all, &backlog_);
   grid_series_.add(shot.time, folder_ / file);

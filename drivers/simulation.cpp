@@ -134,6 +134,7 @@ class SimulationIn final : public Simulation {
         bytes[name] += static_cast<double>(count * c.extent(1) * sizeof(double));
       });
       bytes["id"] += static_cast<double>(count * sizeof(std::int64_t));
+      bytes["bin"] += static_cast<double>(count * sizeof(int));
     }
     for (const auto& [name, sum] : bytes) f.columns.push_back({name, sum / f.particles});
     f.cells = 1;

@@ -176,10 +176,10 @@ void write_vtp(const std::filesystem::path& path, const std::vector<double>& poi
 void write_vtp(const std::filesystem::path& path, const Column& places,
                const std::vector<Column>& columns, Backlog* later) {
   const std::size_t count = places.rows();
-  const auto counting = [count](const char* name, std::int64_t from) {
-    return Column::made<std::int64_t>(
-        name, 1, count, [from](std::size_t begin, std::size_t end, std::int64_t* to) {
-          std::iota(to, to + (end - begin), from + static_cast<std::int64_t>(begin));
+  const auto counting = [count](const char* name, std::int32_t from) {
+    return Column::made<std::int32_t>(
+        name, 1, count, [from](std::size_t begin, std::size_t end, std::int32_t* to) {
+          std::iota(to, to + (end - begin), from + static_cast<std::int32_t>(begin));
         });
   };
   const Column connectivity = counting("connectivity", 0), offsets = counting("offsets", 1);
