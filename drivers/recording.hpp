@@ -1,6 +1,9 @@
 #pragma once
 // What a run leaves behind while it goes on: it lets observers look, writes outputs and lines of
-// the history when they are due, and keeps account of the time that this takes.
+// the history when they are due, and keeps account of the time that this takes. Particles and grids
+// are written at once. Tables, and lists of what there is, grow and are written anew each time:
+// that is done twice a second at most, before a checkpoint and at the end, be it by an error.
+#include <chrono>
 #include <optional>
 
 #include "drivers/observers.hpp"
@@ -15,6 +18,9 @@ class Recording {
   /// All of it is the run's and outlives the recording; `exact` may be null.
   Recording(const List& scene, Simulation& simulation, const Ledger& ledger, ExactSolution* exact,
             TimeKeeper& keeper);
+  ~Recording();
+  Recording(const Recording&) = delete;
+  Recording& operator=(const Recording&) = delete;
 
   /// From here on files are written, into this folder; without one observers still look.
   void open(const std::filesystem::path& folder, const List& scene);
@@ -37,7 +43,7 @@ class Recording {
 
   /// Forces to the disk what has been written so far. A checkpoint must not be there before that:
   /// who takes it up does not write the outputs of the time before it again.
-  void secure() { backlog_.force(); }
+  void secure();
 
  private:
   Simulation& simulation_;
@@ -48,7 +54,12 @@ class Recording {
   OutputTimes times_;
   Backlog backlog_;
   std::optional<Results> results_;
+  using Clock = std::chrono::steady_clock;
+  bool owed_ = false;        ///< whether tables lag behind what there is
+  Clock::time_point wrote_;  ///< tables, when last
 
+  void write_tables();
+  void write_tables_if_due();
   /// The particles are copied where somebody looks at them.
   Snapshot output(bool look);
   bool shown() const;

@@ -163,7 +163,7 @@ void Results::add_particles(const Snapshot& shot) {
   const std::string file = numbered("particles", particle_series_.entries().size(), ".vtp");
   vtk::write_vtp(folder_ / file, columns.column("Points", {&t.x, &t.y, &t.z}), columns.all,
                  &backlog_);
-  particle_series_.add(shot.time, folder_ / file);
+  particle_series_.note(shot.time, folder_ / file);
 }
 
 void Results::add_grid(const Snapshot& shot) {
@@ -179,11 +179,12 @@ void Results::add_grid(const Snapshot& shot) {
   columns.add_cells("velocity", cells, [](const Sums& s) { return s.mean_velocity(); });
   const std::string file = numbered("grid", grid_series_.entries().size(), ".vti");
   vtk::write_vti(folder_ / file, box_of(t), {}, columns.all, &backlog_);
-  grid_series_.add(shot.time, folder_ / file);
+  grid_series_.note(shot.time, folder_ / file);
 }
 
-void Results::add(const Ledger& ledger, const Balance& balance) {
-  note(ledger, balance);
+void Results::write_tables() const {
+  particle_series_.write();
+  grid_series_.write();
   write_file(folder_ / "history.csv", history_, &backlog_);
 }
 

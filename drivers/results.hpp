@@ -25,9 +25,11 @@ class Results {
   bool takes_particles() const { return choice_.particles() || choice_.grid(); }
   /// Particles and grid at one time.
   void add(const Snapshot& shot);
-  /// A line of history.csv, written at once; or kept until the next that is.
-  void add(const Ledger& ledger, const Balance& balance);
+  /// A line of history.csv.
   void note(const Ledger& ledger, const Balance& balance) { history_ += ledger.line(balance); }
+  /// What grows and is written anew each time: history.csv, and which files there are at which
+  /// times.
+  void write_tables() const;
   /// The exact solution along the scene at its end, for plots.
   void write_exact(const ExactSolution& exact, const Snapshot& shot);
 

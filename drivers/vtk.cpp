@@ -241,7 +241,7 @@ Series Series::resumed(std::filesystem::path path, double time) {
   return series;
 }
 
-void Series::add(double time, const std::filesystem::path& file) {
+void Series::note(double time, const std::filesystem::path& file) {
   const auto folder = std::filesystem::absolute(path_).lexically_normal().parent_path();
   const auto name = std::filesystem::absolute(file)
                         .lexically_normal()
@@ -256,15 +256,15 @@ void Series::add(double time, const std::filesystem::path& file) {
   }
   if (!entries_.empty() && entries_.back().time == time) entries_.pop_back();
   entries_.push_back({time, name});
-  write();
 }
 
 void Series::resume(std::vector<Entry> entries) {
   entries_ = std::move(entries);
-  if (!entries_.empty()) write();
+  write();
 }
 
 void Series::write() const {
+  if (entries_.empty()) return;
   std::string text = opening("Collection") + "<Collection>\n";
   for (const auto& entry : entries_) {
     text += "<DataSet" + with("timestep", text_of(entry.time)) + with("group", "") +

@@ -43,8 +43,8 @@ void write_vti(const std::filesystem::path& path, const Box& box,
                const std::vector<Column>& point_columns, const std::vector<Column>& cell_columns,
                Backlog* later = nullptr);
 
-/// The `.pvd` file that gives a time to each file of a series. It is rewritten at each addition, so
-/// that a run that is stopped leaves a readable series.
+/// The `.pvd` file that gives a time to each file of a series. It is always whole, so that a run
+/// that is stopped leaves a readable series.
 class Series {
  public:
   struct Entry {
@@ -63,9 +63,16 @@ class Series {
   /// Takes up these entries in place of its own, and writes them.
   void resume(std::vector<Entry> entries);
 
-  /// Adds a file that lies in or below the folder of the .pvd. Throws std::invalid_argument for
-  /// times out of order.
-  void add(double time, const std::filesystem::path& file);
+  /// Adds a file that lies in or below the folder of the .pvd, which is written by the next
+  /// write(). Throws std::invalid_argument for times out of order.
+  void note(double time, const std::filesystem::path& file);
+  /// Adds it and writes the .pvd.
+  void add(double time, const std::filesystem::path& file) {
+    note(time, file);
+    write();
+  }
+  /// The .pvd; nothing where there is no entry.
+  void write() const;
 
   const std::vector<Entry>& entries() const { return entries_; }
   const std::filesystem::path& path() const { return path_; }
@@ -74,8 +81,6 @@ class Series {
   std::filesystem::path path_;
   Backlog* later_;
   std::vector<Entry> entries_;
-
-  void write() const;
 };
 
 }  // namespace brisance::vtk
