@@ -6,9 +6,11 @@
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
+#include <future>
 #include <memory>
 #include <stdexcept>
 #include <system_error>
+#include <vector>
 
 namespace brisance {
 namespace {
@@ -34,8 +36,15 @@ std::string reason(int error) {
   }
 }
 
-/// Some file systems know no fsync and say so by EINVAL; there is nothing more to be done on them.
-bool sync(int handle) { return ::fsync(handle) == 0 || errno == EINVAL || errno == ENOTSUP; }
+bool is_unknown(int error) { return error == EINVAL || error == ENOTSUP || error == ENOSYS; }
+
+/// Some file systems know no fsync and say so; there is nothing more to be done on them.
+bool sync(int handle) { return ::fsync(handle) == 0 || is_unknown(errno); }
+
+/// The data alone; where that is not known they wait for fsync.
+bool write_back(int handle, unsigned how) {
+  return ::sync_file_range(handle, 0, 0, how) == 0 || is_unknown(errno);
+}
 
 [[noreturn]] void cannot_write(const std::filesystem::path& path, int error) {
   throw std::runtime_error("cannot write '" + path.string() + "': " + reason(error));
@@ -54,8 +63,8 @@ void sync_folder(const std::filesystem::path& folder) {
 }
 
 /// f(handle) says whether it is done with each file.
-template <class F>
-void each_open(const std::set<std::filesystem::path>& paths, const F& f) {
+template <class Paths, class F>
+void each_open(const Paths& paths, const F& f) {
   for (const auto& path : paths) {
     const int handle = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
     if (handle < 0 && errno == ENOENT) continue;
@@ -69,16 +78,23 @@ void each_open(const std::set<std::filesystem::path>& paths, const F& f) {
 }  // namespace
 
 // The disk is given everything before anything is waited for. Once all data are there, the first
-// fsync writes the journal for all files together and leaves the others little to do.
+// fsync writes the journal for all files together; the others wait for little, and at the same
+// time.
 void Backlog::force() {
-  each_open(paths_,
-            [](int handle) { return ::sync_file_range(handle, 0, 0, SYNC_FILE_RANGE_WRITE) == 0; });
+  each_open(paths_, [](int handle) { return write_back(handle, SYNC_FILE_RANGE_WRITE); });
   each_open(paths_, [](int handle) {
-    return ::sync_file_range(handle, 0, 0,
-                             SYNC_FILE_RANGE_WAIT_BEFORE | SYNC_FILE_RANGE_WRITE |
-                                 SYNC_FILE_RANGE_WAIT_AFTER) == 0;
+    return write_back(
+        handle, SYNC_FILE_RANGE_WAIT_BEFORE | SYNC_FILE_RANGE_WRITE | SYNC_FILE_RANGE_WAIT_AFTER);
   });
-  each_open(paths_, sync);
+  constexpr std::size_t at_once = 8;
+  std::vector<std::filesystem::path> shares[at_once];
+  std::size_t next = 0;
+  for (const auto& path : paths_) shares[next++ % at_once].push_back(path);
+  std::vector<std::future<void>> waiting;
+  for (const auto& share : shares)
+    if (!share.empty())
+      waiting.push_back(std::async(std::launch::async, [&share] { each_open(share, sync); }));
+  for (auto& one : waiting) one.get();
   std::set<std::filesystem::path> folders;
   for (const auto& path : paths_) folders.insert(folder_of(path));
   for (const auto& folder : folders) sync_folder(folder);

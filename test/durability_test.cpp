@@ -6,6 +6,7 @@
 
 #include <Teuchos_ParameterList.hpp>
 #include <algorithm>
+#include <mutex>
 
 #include "test/program.hpp"
 #include "test/runs.hpp"
@@ -57,6 +58,8 @@ class Watched {
 Watched* Watched::now = nullptr;
 
 void see(int handle) {
+  static std::mutex one_by_one;
+  const std::lock_guard<std::mutex> lock(one_by_one);
   if (Watched::now) Watched::now->see(fs::read_symlink("/proc/self/fd/" + std::to_string(handle)));
 }
 
