@@ -65,8 +65,9 @@ void check_grid_memory(const List& scene, double available) {
 void check_particle_memory(const List& scene, double particles, double available) {
   const auto dim =
       static_cast<double>(get<std::vector<int>>(scene.sublist("grid"), "cells").size());
-  // Place, velocity, its gradient, mass, volume, stress and number.
-  check_memory(scene.sublist("bodies"), "", particles * 8 * (2 * dim + dim * dim + 4), available);
+  // Place, velocity, its gradient, mass, volume, stress and number; the bin.
+  check_memory(scene.sublist("bodies"), "", particles * (8 * (2 * dim + dim * dim + 4) + 4),
+               available);
 }
 
 void check_start(const List& scene, double dt, double fastest, double mass, double energy) {

@@ -6,9 +6,11 @@
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
+#include <future>
 #include <memory>
 #include <stdexcept>
 #include <system_error>
+#include <vector>
 
 namespace brisance {
 namespace {
@@ -34,10 +36,70 @@ std::string reason(int error) {
   }
 }
 
-/// Some file systems know no fsync and say so by EINVAL; there is nothing more to be done on them.
-bool sync(int handle) { return ::fsync(handle) == 0 || errno == EINVAL || errno == ENOTSUP; }
+bool is_unknown(int error) { return error == EINVAL || error == ENOTSUP || error == ENOSYS; }
+
+/// Some file systems know no fsync and say so; there is nothing more to be done on them.
+bool sync(int handle) { return ::fsync(handle) == 0 || is_unknown(errno); }
+
+/// The data alone; where that is not known they wait for fsync.
+bool write_back(int handle, unsigned how) {
+  return ::sync_file_range(handle, 0, 0, how) == 0 || is_unknown(errno);
+}
+
+[[noreturn]] void cannot_write(const std::filesystem::path& path, int error) {
+  throw std::runtime_error("cannot write '" + path.string() + "': " + reason(error));
+}
+
+std::filesystem::path folder_of(const std::filesystem::path& path) {
+  return path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+}
+
+/// What was written under the names in a folder is safe only when the folder is on the disk, too.
+void sync_folder(const std::filesystem::path& folder) {
+  const int opened = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (opened < 0) return;
+  sync(opened);
+  ::close(opened);
+}
+
+/// f(handle) says whether it is done with each file.
+template <class Paths, class F>
+void each_open(const Paths& paths, const F& f) {
+  for (const auto& path : paths) {
+    const int handle = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (handle < 0 && errno == ENOENT) continue;
+    if (handle < 0) cannot_write(path, errno);
+    const int error = f(handle) ? 0 : errno;
+    ::close(handle);
+    if (error != 0) cannot_write(path, error);
+  }
+}
 
 }  // namespace
+
+// The disk is given everything before anything is waited for. Once all data are there, the first
+// fsync writes the journal for all files together; the others wait for little, and at the same
+// time.
+void Backlog::force() {
+  each_open(paths_, [](int handle) { return write_back(handle, SYNC_FILE_RANGE_WRITE); });
+  each_open(paths_, [](int handle) {
+    return write_back(
+        handle, SYNC_FILE_RANGE_WAIT_BEFORE | SYNC_FILE_RANGE_WRITE | SYNC_FILE_RANGE_WAIT_AFTER);
+  });
+  constexpr std::size_t at_once = 8;
+  std::vector<std::filesystem::path> shares[at_once];
+  std::size_t next = 0;
+  for (const auto& path : paths_) shares[next++ % at_once].push_back(path);
+  std::vector<std::future<void>> waiting;
+  for (const auto& share : shares)
+    if (!share.empty())
+      waiting.push_back(std::async(std::launch::async, [&share] { each_open(share, sync); }));
+  for (auto& one : waiting) one.get();
+  std::set<std::filesystem::path> folders;
+  for (const auto& path : paths_) folders.insert(folder_of(path));
+  for (const auto& folder : folders) sync_folder(folder);
+  paths_.clear();
+}
 
 AtomicFile::AtomicFile(const std::filesystem::path& path) : path_(path), temporary_(path) {
   temporary_ += ".tmp";
@@ -60,20 +122,16 @@ void AtomicFile::write(const void* data, std::size_t bytes) {
   }
 }
 
-void AtomicFile::commit() {
+void AtomicFile::commit(Backlog* later) {
   flush();
-  if (!sync(handle_)) fail(errno);
+  if (!later && !sync(handle_)) fail(errno);
   const int closed = ::close(handle_);
   handle_ = -1;
   if (closed != 0 || std::rename(temporary_.c_str(), path_.c_str()) != 0) fail(errno);
-
-  // The new name itself is safe only when the folder is on the disk too.
-  const auto folder = path_.has_parent_path() ? path_.parent_path() : std::filesystem::path(".");
-  const int opened = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (opened >= 0) {
-    sync(opened);
-    ::close(opened);
-  }
+  if (later)
+    later->add(path_);
+  else
+    sync_folder(folder_of(path_));
 }
 
 void AtomicFile::flush() {
@@ -99,13 +157,13 @@ void AtomicFile::discard() {
 
 void AtomicFile::fail(int error) {
   discard();
-  throw std::runtime_error("cannot write '" + path_.string() + "': " + reason(error));
+  cannot_write(path_, error);
 }
 
-void write_file(const std::filesystem::path& path, std::string_view text) {
+void write_file(const std::filesystem::path& path, std::string_view text, Backlog* later) {
   AtomicFile file(path);
   file.write(text);
-  file.commit();
+  file.commit(later);
 }
 
 std::string read_file(const std::filesystem::path& path) {

@@ -2,10 +2,29 @@
 // Files that appear under their name complete or not at all.
 #include <cstddef>
 #include <filesystem>
+#include <set>
 #include <string>
 #include <string_view>
 
 namespace brisance {
+
+/// Files that bear their names but may not be on the disk yet: the end of the program, however
+/// sudden, takes none of them, that of the machine could. To force each to the disk by itself takes
+/// milliseconds, many at once hardly longer.
+class Backlog {
+ public:
+  /// A file that is complete. One that is added again counts once.
+  void add(const std::filesystem::path& path) { paths_.insert(path); }
+  bool empty() const { return paths_.empty(); }
+
+  /// Forces all of them to the disk, with their names; nothing is left in it then. A file that is
+  /// no longer there is passed over. Throws std::runtime_error with one line that names the file
+  /// and the reason.
+  void force();
+
+ private:
+  std::set<std::filesystem::path> paths_;
+};
 
 /// Writes into PATH.tmp beside the file meant and renames it at commit(): whoever opens PATH sees
 /// the old content or the new one, never a part. The folder must exist. Every failure - no folder,
@@ -24,8 +43,9 @@ class AtomicFile {
   /// Bytes written so far.
   std::size_t size() const { return size_; }
 
-  /// Forces the content to the disk and puts it under its name.
-  void commit();
+  /// Puts the content under its name, and forces it to the disk: at once, or with all that is in a
+  /// backlog.
+  void commit(Backlog* later = nullptr);
 
  private:
   void flush();
@@ -40,7 +60,7 @@ class AtomicFile {
 };
 
 /// The whole text as one atomic file.
-void write_file(const std::filesystem::path& path, std::string_view text);
+void write_file(const std::filesystem::path& path, std::string_view text, Backlog* later = nullptr);
 
 /// The content of a file; std::runtime_error with one line if it cannot be read.
 std::string read_file(const std::filesystem::path& path);

@@ -11,10 +11,9 @@ namespace brisance {
 namespace {
 
 std::array<double*, 15> numbers_of(Fragment& f) {
-  return {&f.mass,        &f.volume,      &f.centre[0],   &f.centre[1],
-          &f.centre[2],   &f.velocity[0], &f.velocity[1], &f.velocity[2],
-          &f.spin,        &f.translation, &f.rotation,    &f.rest,
-          &f.size,        &f.length,      &f.width};
+  return {&f.mass,        &f.volume,      &f.centre[0],   &f.centre[1], &f.centre[2],
+          &f.velocity[0], &f.velocity[1], &f.velocity[2], &f.spin,      &f.translation,
+          &f.rotation,    &f.rest,        &f.size,        &f.length,    &f.width};
 }
 
 void keep_sums(Archive& archive, const std::string& name, MotionSums& sums) {
@@ -133,11 +132,12 @@ void FragmentWatch::keep(Archive& archive) {
   keep_sums(archive, "all", found_.all);
 }
 
-void FragmentWatch::write(const std::filesystem::path& folder) const {
+void FragmentWatch::write(const std::filesystem::path& folder, Backlog* later) const {
   write_file(folder / "fragments.csv",
              "time,piece,points,mass,x,y,velocity_x,velocity_y,spin,translation,rotation,rest,"
              "size,length,width\n" +
-                 rows_);
+                 rows_,
+             later);
 }
 
 }  // namespace brisance

@@ -60,7 +60,7 @@ class FragmentWatch final : public Watch {
   std::vector<Measure> measures() const override;
   void keep(Archive& archive) override;
   /// fragments.csv: a row for each piece of each output.
-  void write(const std::filesystem::path& folder) const override;
+  void write(const std::filesystem::path& folder, Backlog* later) const override;
 
  private:
   int material_;

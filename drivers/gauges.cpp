@@ -133,8 +133,8 @@ void Gauges::follow(Simulation& simulation) {
   if (cadence_.due(time) || start || time >= end_) sample(simulation);
 }
 
-void Gauges::write(const std::filesystem::path& folder) const {
-  write_file(folder / "gauges.csv", table_);
+void Gauges::write(const std::filesystem::path& folder, Backlog* later) const {
+  write_file(folder / "gauges.csv", table_, later);
 }
 
 void Gauges::keep(Archive& archive) {

@@ -26,7 +26,7 @@ class Gauges final : public Watch {
   void follow(Simulation& simulation) override;
   /// The record so far.
   void keep(Archive& archive) override;
-  void write(const std::filesystem::path& folder) const override;
+  void write(const std::filesystem::path& folder, Backlog* later) const override;
 
   /// The samples as a table, one line for each time: time, then for each gauge NAME the columns
   /// x_NAME (y_NAME), pressure_NAME, overpressure_NAME, impulse_NAME, positive_impulse_NAME,

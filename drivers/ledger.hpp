@@ -21,6 +21,7 @@ struct Balance {
   struct Material {
     std::string name;
     bool solid = false;
+    long particles = 0;
     Totals totals;
   };
   std::vector<Material> materials;

@@ -23,8 +23,8 @@ void Observers::observe(const Snapshot& shot) {
   for (const auto& watch : watches_) watch->observe(shot.table, shot.time);
 }
 
-void Observers::write(const std::filesystem::path& folder) const {
-  for (const auto& watch : watches_) watch->write(folder);
+void Observers::write(const std::filesystem::path& folder, Backlog* later) const {
+  for (const auto& watch : watches_) watch->write(folder, later);
 }
 
 std::vector<Measure> Observers::measures(const Snapshot& end) const {

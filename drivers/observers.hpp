@@ -25,7 +25,7 @@ class Observers {
   /// To be called at each output.
   void observe(const Snapshot& shot);
   /// Their files, into the folder of the run.
-  void write(const std::filesystem::path& folder) const;
+  void write(const std::filesystem::path& folder, Backlog* later) const;
 
   /// To be called after the last output, with that.
   std::vector<Measure> measures(const Snapshot& end) const;

@@ -99,7 +99,7 @@ bool OutputChoice::has(const std::string& column) const {
 OutputSize OutputChoice::size(double particles, double cells, double steps, double start) const {
   const double number = single_ ? 4 : 8;
   // A point is its place, and two integers that make it a vertex.
-  double of_particle = 3 * number + 16, of_cell = 0;
+  double of_particle = 3 * number + 8, of_cell = 0;
   for (const Common& column : common) {
     if (!has(column.name)) continue;
     of_particle += column.of_particles * (column.whole_bytes > 0 ? column.whole_bytes : number);

@@ -1,6 +1,11 @@
 #include "drivers/recording.hpp"
 
 namespace brisance {
+namespace {
+
+constexpr std::chrono::milliseconds between_tables(500);
+
+}  // namespace
 
 Recording::Recording(const List& scene, Simulation& simulation, const Ledger& ledger,
                      ExactSolution* exact, TimeKeeper& keeper)
@@ -12,34 +17,65 @@ Recording::Recording(const List& scene, Simulation& simulation, const Ledger& le
       times_(scene) {}
 
 void Recording::open(const std::filesystem::path& folder, const List& scene) {
-  results_.emplace(folder, scene, ledger_);
+  results_.emplace(folder, scene, ledger_, backlog_);
+}
+
+Recording::~Recording() {
+  try {
+    if (owed_) write_tables();
+  } catch (const std::exception&) {
+    // What ends the run tells why.
+  }
 }
 
 void Recording::follow() {
+  write_tables_if_due();
   if (observers_.none()) return;
   keeper_.on(TimeKeeper::watches, [&] { observers_.follow(simulation_); });
 }
 
-Snapshot Recording::output() {
+bool Recording::shown() const {
+  return observers_.look_at_particles() || (results_ && results_->takes_particles());
+}
+
+Snapshot Recording::output(bool look) {
   Snapshot shot = keeper_.on(TimeKeeper::output, [&] {
-    Snapshot now = simulation_.snapshot();
+    Snapshot now;
+    if (look) now = simulation_.snapshot();
     if (results_) {
-      results_->add(now);
-      results_->add(ledger_, simulation_.balance());
+      if (results_->takes_particles()) results_->add(now);
+      results_->note(ledger_, simulation_.balance());
     }
     return now;
   });
-  if (observers_.none()) return shot;
-  keeper_.on(TimeKeeper::watches, [&] {
-    observers_.observe(shot);
-    if (results_) observers_.write(results_->folder());
-  });
+  if (!observers_.none()) keeper_.on(TimeKeeper::watches, [&] { observers_.observe(shot); });
+  owed_ = results_.has_value();
+  write_tables_if_due();
   return shot;
 }
 
-void Recording::output_if_seen() {
-  if (results_ || observers_.look_at_particles()) output();
+void Recording::write_tables() {
+  wrote_ = Clock::now();
+  results_->write_tables();
+  observers_.write(results_->folder(), &backlog_);
+  owed_ = false;
 }
+
+void Recording::write_tables_if_due() {
+  if (owed_ && Clock::now() - wrote_ >= between_tables)
+    keeper_.on(TimeKeeper::tables, [&] { write_tables(); });
+}
+
+void Recording::secure() {
+  if (owed_) write_tables();
+  backlog_.force();
+}
+
+void Recording::output_if_seen() {
+  if (results_ || shown()) output(shown());
+}
+
+Snapshot Recording::last_output() { return output(shown() || exact_); }
 
 void Recording::output_if_due() {
   const auto due = times_.due(simulation_.step_count(), simulation_.time());

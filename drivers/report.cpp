@@ -32,7 +32,7 @@ std::string method_of(const List& scheme, const std::string& quadrature) {
          quadrature;
 }
 
-void add_model(Lines& lines, const List& scene, const Outcome& outcome, const Balance& b) {
+void add_model(Lines& lines, const List& scene, const Balance& b) {
   const List& grid = scene.sublist("grid");
   std::string cells;
   for (const int n : get<std::vector<int>>(grid, "cells"))
@@ -42,12 +42,11 @@ void add_model(Lines& lines, const List& scene, const Outcome& outcome, const Ba
                                            get<double>(grid, "cell size"), b.particles)));
   const bool is_line = get<std::string>(scene, "geometry") == "line";
   bool fluids = false, solids = false;
-  for (std::size_t k = 0; k < b.materials.size(); ++k) {
-    const auto& material = b.materials[k];
+  for (const auto& material : b.materials) {
     (material.solid ? solids : fluids) = true;
     const List& given = scene.sublist("materials").sublist(material.name);
     lines.push_back(line("", material.name + " (" + get<std::string>(given, "law") + "): " +
-                                 format("%ld particles, %.4g kg/%s", outcome.particles.at(k),
+                                 format("%ld particles, %.4g kg/%s", material.particles,
                                         material.totals.mass, is_line ? "m2" : "m")));
   }
   const List& scheme = scene.sublist("scheme");
@@ -61,28 +60,25 @@ void add_model(Lines& lines, const List& scene, const Outcome& outcome, const Ba
 }
 
 void add_books(Lines& lines, const Ledger& ledger, const Balance& b) {
-  lines.push_back(
-      line("kept", format("mass to %.1e, momentum to %.1e, energy to %.1e of all",
-                          std::fabs(ledger.mass_error(b)), ledger.momentum_error(b),
-                          std::fabs(ledger.energy_error(b)))));
+  lines.push_back(line("kept", format("mass to %.1e, momentum to %.1e, energy to %.1e of all",
+                                      std::fabs(ledger.mass_error(b)), ledger.momentum_error(b),
+                                      std::fabs(ledger.energy_error(b)))));
   if (b.floors > 0)
     lines.push_back(line("", format("an energy was held at its lower bound %ld times", b.floors)));
   if (b.left > 0) lines.push_back(line("", ledger.departures(b)));
 }
 
 void add_row(Lines& lines, const TimeRow& row, double all) {
-  lines.push_back(
-      line("", format("  %-26s %5.1f %% %10.3g s", row.name.c_str(), 100 * row.seconds / all,
-                      row.seconds) +
-                   (row.calls > 1 ? format(" %9.0f calls", row.calls) : "")));
+  lines.push_back(line("", format("  %-26s %5.1f %% %10.3g s", row.name.c_str(),
+                                  100 * row.seconds / all, row.seconds) +
+                               (row.calls > 1 ? format(" %9.0f calls", row.calls) : "")));
 }
 
 /// Kernels that take less than a hundredth stand together.
 void add_time(Lines& lines, const TimeSpent& spent, bool resumed) {
-  lines.push_back(
-      line("time", readable_duration(spent.seconds) + " by the clock" +
-                       (resumed ? " since the restart" : "") +
-                       (spent.kernels.empty() ? "" : ": kernels, then the rest")));
+  lines.push_back(line("time", readable_duration(spent.seconds) + " by the clock" +
+                                   (resumed ? " since the restart" : "") +
+                                   (spent.kernels.empty() ? "" : ": kernels, then the rest")));
   TimeRow others{"other kernels"};
   double in_kernels = 0;
   for (const TimeRow& row : alike_together(spent.kernels)) {
@@ -144,7 +140,7 @@ std::vector<std::string> report(const List& scene, const Outcome& outcome, const
   Lines lines;
   const std::string title = get<std::string>(scene, "title");
   lines.push_back(scene.name() + (title.empty() ? "" : ": " + title));
-  add_model(lines, scene, outcome, b);
+  add_model(lines, scene, b);
   lines.push_back(line("run", outcome.status +
                                   format(" at t = %.6g s after %ld steps, ", b.time, b.step) +
                                   readable_number(outcome.particle_steps / outcome.wall_seconds) +

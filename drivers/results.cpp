@@ -2,11 +2,12 @@
 
 #include <Teuchos_ParameterList.hpp>
 #include <algorithm>
+#include <array>
 #include <cfloat>
 #include <cstdio>
 #include <sstream>
+#include <type_traits>
 
-#include "drivers/files.hpp"
 #include "drivers/input.hpp"
 #include "version.hpp"
 
@@ -14,13 +15,6 @@ namespace brisance {
 namespace {
 
 using Doubles = std::vector<double>;
-
-Doubles interleaved(const Doubles& x, const Doubles& y, const Doubles& z) {
-  Doubles all;
-  all.reserve(3 * x.size());
-  for (std::size_t k = 0; k < x.size(); ++k) all.insert(all.end(), {x[k], y[k], z[k]});
-  return all;
-}
 
 std::string numbered(const std::string& name, std::size_t place, const std::string& extension) {
   char number[32];
@@ -57,52 +51,91 @@ void keep_series(Archive& archive, const std::string& name, const std::string& e
   for (const double time : times)
     if (std::getline(lines, file)) entries.push_back({time, file});
   const auto folder = series.path().parent_path();
-  for (std::size_t k = entries.size(); std::filesystem::remove(folder / numbered(name, k, extension));
-       ++k) {
+  for (std::size_t k = entries.size();
+       std::filesystem::remove(folder / numbered(name, k, extension)); ++k) {
   }
   series.resume(std::move(entries));
 }
 
-/// The columns of one file, as far as they were chosen and as precise.
+template <class T>
+T rounded(double value) {
+  // What is too large for a float must not become infinite.
+  if constexpr (std::is_same_v<T, float>) value = std::clamp<double>(value, -FLT_MAX, FLT_MAX);
+  return static_cast<T>(value);
+}
+
+/// Rows of the numbers of several vectors, which outlive the column; an empty one is 0 everywhere.
+template <class T>
+vtk::Column rows_of(const std::string& name, const std::vector<const Doubles*>& parts) {
+  const std::size_t width = parts.size();
+  return vtk::Column::made<T>(name, static_cast<int>(width), parts.front()->size(),
+                              [parts, width](std::size_t begin, std::size_t end, T* to) {
+                                for (std::size_t k = 0; k < width; ++k) {
+                                  const Doubles& from = *parts[k];
+                                  for (std::size_t row = begin; row < end; ++row)
+                                    to[(row - begin) * width + k] =
+                                        from.empty() ? T(0) : rounded<T>(from[row]);
+                                }
+                              });
+}
+
+/// The columns of one file, as far as they were chosen and as precise. What they are made of
+/// outlives them.
 class Columns {
  public:
   explicit Columns(const OutputChoice& choice) : choice_(choice) {}
 
-  vtk::Column column(const std::string& name, int components, const Doubles& values) const {
-    if (!choice_.single()) return vtk::Column(name, components, values);
-    std::vector<float> rounded(values.size());
-    // What is too large for a float must not become infinite.
-    std::transform(values.begin(), values.end(), rounded.begin(), [](double value) {
-      return static_cast<float>(std::clamp<double>(value, -FLT_MAX, FLT_MAX));
-    });
-    return vtk::Column(name, components, rounded);
+  vtk::Column column(const std::string& name, const std::vector<const Doubles*>& parts) const {
+    return choice_.single() ? rows_of<float>(name, parts) : rows_of<double>(name, parts);
   }
-  void add(const std::string& name, const Doubles& values) {
-    if (choice_.has(name)) all.push_back(column(name, 1, values));
-  }
-  /// `make` gives the numbers, if they are wanted.
-  template <class F>
-  void add_vector(const std::string& name, const F& make) {
-    if (choice_.has(name)) all.push_back(column(name, 3, make()));
+  void add(const std::string& name, const std::vector<const Doubles*>& parts) {
+    if (choice_.has(name)) all.push_back(column(name, parts));
   }
   template <class T>
   void add_whole(const std::string& name, const std::vector<T>& values) {
-    if (choice_.has(name)) all.emplace_back(name, values);
+    if (!choice_.has(name)) return;
+    const T* from = values.data();
+    all.push_back(vtk::Column::made<T>(name, 1, values.size(),
+                                       [from](std::size_t begin, std::size_t end, T* to) {
+                                         std::copy(from + begin, from + end, to);
+                                       }));
+  }
+
+  /// What f tells of each cell: an array of numbers; 0 for an empty one.
+  template <class F>
+  void add_cells(const std::string& name, const std::vector<Sums>& cells, const F& f) {
+    if (choice_.has(name))
+      all.push_back(choice_.single() ? of_cells<float>(name, cells, f)
+                                     : of_cells<double>(name, cells, f));
   }
 
   std::vector<vtk::Column> all;
 
  private:
   const OutputChoice& choice_;
+
+  template <class T, class F>
+  static vtk::Column of_cells(const std::string& name, const std::vector<Sums>& cells, const F& f) {
+    using Value = decltype(f(cells.front()));
+    return vtk::Column::made<T>(
+        name, std::tuple_size_v<Value>, cells.size(),
+        [&cells, f](std::size_t begin, std::size_t end, T* to) {
+          for (std::size_t c = begin; c < end; ++c)
+            for (const double number : cells[c].empty() ? Value{} : f(cells[c]))
+              *to++ = rounded<T>(number);
+        });
+  }
 };
 
 }  // namespace
 
-Results::Results(const std::filesystem::path& folder, const List& scene, const Ledger& ledger)
+Results::Results(const std::filesystem::path& folder, const List& scene, const Ledger& ledger,
+                 Backlog& backlog)
     : folder_(folder),
+      backlog_(backlog),
       choice_(scene),
-      particle_series_(folder / "particles.pvd"),
-      grid_series_(folder / "grid.pvd"),
+      particle_series_(folder / "particles.pvd", &backlog),
+      grid_series_(folder / "grid.pvd", &backlog),
       history_(ledger.head()) {
   make_folder(folder_);
   write_input(scene, (folder_ / "input.xml").string(),
@@ -118,49 +151,41 @@ void Results::add(const Snapshot& shot) {
 void Results::add_particles(const Snapshot& shot) {
   const ParticleTable& t = shot.table;
   Columns columns(choice_);
-  columns.add_vector("velocity", [&] { return interleaved(t.vx, t.vy, t.vz); });
-  columns.add("mass", t.mass);
-  columns.add("volume", t.volume);
-  columns.add("density", t.density);
-  columns.add("pressure", t.pressure);
-  columns.add("energy", t.energy);
-  columns.add_whole("material", std::vector<std::int32_t>(t.material.begin(), t.material.end()));
+  columns.add("velocity", {&t.vx, &t.vy, &t.vz});
+  columns.add("mass", {&t.mass});
+  columns.add("volume", {&t.volume});
+  columns.add("density", {&t.density});
+  columns.add("pressure", {&t.pressure});
+  columns.add("energy", {&t.energy});
+  columns.add_whole("material", t.material);
   columns.add_whole("id", shot.id);
-  for (const auto& field : t.fields) columns.add(field.name, field.values);
+  for (const auto& field : t.fields) columns.add(field.name, {&field.values});
   const std::string file = numbered("particles", particle_series_.entries().size(), ".vtp");
-  vtk::write_vtp(folder_ / file, columns.column("Points", 3, interleaved(t.x, t.y, t.z)),
-                 columns.all);
-  particle_series_.add(shot.time, folder_ / file);
+  vtk::write_vtp(folder_ / file, columns.column("Points", {&t.x, &t.y, &t.z}), columns.all,
+                 &backlog_);
+  particle_series_.note(shot.time, folder_ / file);
 }
 
 void Results::add_grid(const Snapshot& shot) {
   const ParticleTable& t = shot.table;
-  Doubles fill, density, pressure, energy, velocity;
-  double cell = 1;
-  for (int d = 0; d < t.dim; ++d) cell *= t.cell_size;
-  for (const Sums& s : sums_per_cell(t)) {
-    const bool empty = s.empty();
-    fill.push_back(s.volume / cell);
-    density.push_back(empty ? 0 : s.mean_density());
-    pressure.push_back(empty ? 0 : s.mean_pressure());
-    energy.push_back(empty ? 0 : s.mean_energy());
-    for (const double v : empty ? std::array<double, 3>{} : s.mean_velocity())
-      velocity.push_back(v);
-  }
+  const std::vector<Sums> cells = sums_per_cell(t);
+  double size = 1;
+  for (int d = 0; d < t.dim; ++d) size *= t.cell_size;
   Columns columns(choice_);
-  columns.add("fill", fill);
-  columns.add("density", density);
-  columns.add("pressure", pressure);
-  columns.add("energy", energy);
-  columns.add_vector("velocity", [&] { return velocity; });
+  columns.add_cells("fill", cells, [size](const Sums& s) { return std::array{s.volume / size}; });
+  columns.add_cells("density", cells, [](const Sums& s) { return std::array{s.mean_density()}; });
+  columns.add_cells("pressure", cells, [](const Sums& s) { return std::array{s.mean_pressure()}; });
+  columns.add_cells("energy", cells, [](const Sums& s) { return std::array{s.mean_energy()}; });
+  columns.add_cells("velocity", cells, [](const Sums& s) { return s.mean_velocity(); });
   const std::string file = numbered("grid", grid_series_.entries().size(), ".vti");
-  vtk::write_vti(folder_ / file, box_of(t), {}, columns.all);
-  grid_series_.add(shot.time, folder_ / file);
+  vtk::write_vti(folder_ / file, box_of(t), {}, columns.all, &backlog_);
+  grid_series_.note(shot.time, folder_ / file);
 }
 
-void Results::add(const Ledger& ledger, const Balance& balance) {
-  note(ledger, balance);
-  write_file(folder_ / "history.csv", history_);
+void Results::write_tables() const {
+  particle_series_.write();
+  grid_series_.write();
+  write_file(folder_ / "history.csv", history_, &backlog_);
 }
 
 void Results::keep(Archive& archive) {
@@ -168,7 +193,7 @@ void Results::keep(Archive& archive) {
   archive.keep("history.csv", history_);
   keep_series(archive, "particles", ".vtp", particle_series_);
   keep_series(archive, "grid", ".vti", grid_series_);
-  if (archive.reading()) write_file(folder_ / "history.csv", history_);
+  if (archive.reading()) write_file(folder_ / "history.csv", history_, &backlog_);
 }
 
 void Results::write_exact(const ExactSolution& exact, const Snapshot& shot) {
@@ -190,7 +215,7 @@ void Results::write_exact(const ExactSolution& exact, const Snapshot& shot) {
                   s.v[0], s.p, s.e);
     text += line;
   }
-  write_file(folder_ / "exact.csv", text);
+  write_file(folder_ / "exact.csv", text, &backlog_);
 }
 
 }  // namespace brisance

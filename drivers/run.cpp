@@ -41,12 +41,6 @@ std::unique_ptr<ExactSolution> exact_of(const List& scene) {
   return list ? make_exact(*list) : nullptr;
 }
 
-std::vector<long> count_materials(const Snapshot& shot, std::size_t materials) {
-  std::vector<long> count(materials);
-  for (const int m : shot.table.material) ++count[m];
-  return count;
-}
-
 /// One run: all that it consists of, and the order of things.
 class Run {
  public:
@@ -175,6 +169,7 @@ class Run {
     return keeper_.on(TimeKeeper::checkpoints, [&] {
       try {
         spend();
+        recording_.secure();
         Archive archive;
         keep(archive);
         checkpoints_->write(head_of(scene_, *simulation_), std::move(archive));
@@ -204,11 +199,13 @@ class Run {
     }
     const Balance& end = result_.end = simulation_->balance();
     result_.cell_size = get<double>(scene_.sublist("grid"), "cell size");
-    const Snapshot shot = recording_.output();
+    const Snapshot shot = recording_.last_output();
     measure(shot);
     recording_.write_exact(shot);
+    const bool writes = !options_.folder.empty();
+    if (writes) keeper_.on(TimeKeeper::disk, [&] { recording_.secure(); });
     outcome_.spent = keeper_.so_far();
-    if (!options_.folder.empty())
+    if (writes)
       write_file(options_.folder / "summary.json", summary_text(scene_, outcome_, ledger_, end));
     result_.report = report(scene_, outcome_, ledger_, end, options_.folder);
     for (const auto& line : result_.report) progress_->log(line);
@@ -216,7 +213,6 @@ class Run {
   }
 
   void measure(const Snapshot& shot) {
-    outcome_.particles = count_materials(shot, result_.end.materials.size());
     outcome_.measures = ledger_.measures(result_.end);
     for (const Measure& m : recording_.measures(shot)) outcome_.measures.push_back(m);
     if (outcome_.status == "finished")

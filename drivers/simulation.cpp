@@ -107,33 +107,21 @@ class SimulationIn final : public Simulation {
     for (int d = 0; d < D; ++d) b.wall_impulse[d] = state_.wall_impulse[d];
     for (const auto& g : state_.groups) {
       Totals of_group;
+      long count = 0;
       state_.sleep.for_all(*g, [&] {
+        count += g->particles.count;
         of_group +=
             g->totals(0, g->particles.count, g->transfer->affine_inertia(state_.grid.lattice.h));
       });
       b.totals += of_group;
-      b.materials.push_back({g->label, !g->fluid(), of_group});
+      b.materials.push_back({g->label, !g->fluid(), count, of_group});
       b.floors += g->floors();
     }
     b.totals.internal -= owed();
     return b;
   }
 
-  Snapshot snapshot() const override {
-    Snapshot shot;
-    shot.time = state_.time;
-    ParticleTable& t = shot.table;
-    t.dim = D;
-    t.cell_size = state_.grid.lattice.h;
-    for (int d = 0; d < D; ++d) {
-      t.origin[d] = state_.grid.lattice.origin[d];
-      t.cells[d] = state_.grid.lattice.cells[d];
-    }
-    for (std::size_t g = 0; g < state_.groups.size(); ++g)
-      state_.sleep.for_all(*state_.groups[g],
-                           [&] { copy(*state_.groups[g], static_cast<int>(g), shot); });
-    return shot;
-  }
+  Snapshot snapshot() const override { return snapshot_of(state_); }
 
   Footprint footprint() const override {
     Footprint f;
@@ -146,6 +134,7 @@ class SimulationIn final : public Simulation {
         bytes[name] += static_cast<double>(count * c.extent(1) * sizeof(double));
       });
       bytes["id"] += static_cast<double>(count * sizeof(std::int64_t));
+      bytes["bin"] += static_cast<double>(count * sizeof(int));
     }
     for (const auto& [name, sum] : bytes) f.columns.push_back({name, sum / f.particles});
     f.cells = 1;
@@ -240,56 +229,6 @@ class SimulationIn final : public Simulation {
     if (const List* solids = find_list(scheme, "solids"))
       s.relaxes_stress = get<double>(*solids, "stress relaxation") > 0;
     return s;
-  }
-
-  static void copy(const Group<G>& group, int material, Snapshot& shot) {
-    const Particles<G>& p = group.particles;
-    const std::size_t before = shot.id.size(), count = p.count, all = before + count;
-    const Array<double> pressure("pressure", count), energy("energy", count);
-    group.report(pressure, energy);
-    ParticleTable& t = shot.table;
-    const auto append = [&](std::vector<double>& to, const auto& from) {
-      const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), from);
-      to.resize(all);
-      for (std::size_t k = 0; k < count; ++k) to[before + k] = host(k);
-    };
-    const auto part = [](const Table<double>& column, int k) {
-      return Array<double>(Kokkos::subview(column, Kokkos::ALL, k));
-    };
-    std::vector<double>*x[] = {&t.x, &t.y, &t.z}, *v[] = {&t.vx, &t.vy, &t.vz};
-    for (int d = 0; d < 3; ++d) {
-      x[d]->resize(all);
-      v[d]->resize(all);
-      if (d >= D) continue;
-      append(*x[d], part(p.position, d));
-      append(*v[d], part(p.velocity, d));
-    }
-    append(t.mass, part(p.mass, 0));
-    append(t.volume, part(p.volume, 0));
-    append(t.pressure, pressure);
-    append(t.energy, energy);
-    t.density.resize(all);
-    for (std::size_t k = before; k < all; ++k) t.density[k] = t.mass[k] / t.volume[k];
-    t.material.resize(all, material);
-    const auto ids = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), p.id);
-    for (std::size_t k = 0; k < count; ++k) shot.id.push_back(ids(k));
-
-    const auto append_field = [&](const FieldName& named, const Array<double>& values) {
-      auto field = std::find_if(t.fields.begin(), t.fields.end(),
-                                [&](const auto& f) { return f.name == named.name; });
-      if (field == t.fields.end())
-        field = t.fields.insert(field, {named.name, named.unit, std::vector<double>(before)});
-      append(field->values, values);
-    };
-    if (group.stress() == Stress::tensor) {
-      const auto components = stress_names(G::stress_components);
-      for (int k = 0; k < G::stress_components; ++k)
-        append_field({components[k], "Pa"}, part(p.stress, k));
-    }
-    const auto names = group.history_fields();
-    for (std::size_t k = 0; k < names.size(); ++k)
-      if (names[k].name != "energy") append_field(names[k], part(p.history, static_cast<int>(k)));
-    for (auto& field : t.fields) field.values.resize(all);
   }
 };
 

@@ -9,16 +9,10 @@
 #include "drivers/archive.hpp"
 #include "drivers/exact.hpp"
 #include "drivers/ledger.hpp"
+#include "drivers/snapshot.hpp"
 #include "drivers/window.hpp"
 
 namespace brisance {
-
-/// All particles at one time, copied to the host.
-struct Snapshot {
-  double time = 0;  // [s]
-  ParticleTable table;
-  std::vector<std::int64_t> id;  ///< unique; children of a split get new ones
-};
 
 /// What a scene takes.
 struct Footprint {

@@ -14,17 +14,16 @@ using Json = nlohmann::ordered_json;
 /// A number as JSON has it: null for what is not finite.
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
-Json model_of(const List& scene, const Outcome& outcome, const Balance& b) {
+Json model_of(const List& scene, const Balance& b) {
   Json model;
   model["preset"] = get<std::string>(scene, "preset");
   model["cells"] = get<std::vector<int>>(scene.sublist("grid"), "cells");
   model["materials"] = Json::array();
-  for (std::size_t k = 0; k < b.materials.size(); ++k) {
-    const auto& material = b.materials[k];
+  for (const auto& material : b.materials) {
     const List& given = scene.sublist("materials").sublist(material.name);
     model["materials"].push_back({{"name", material.name},
                                   {"law", get<std::string>(given, "law")},
-                                  {"particles", outcome.particles.at(k)},
+                                  {"particles", material.particles},
                                   {"mass", number(material.totals.mass)}});
   }
   return model;
@@ -51,7 +50,7 @@ std::string summary_text(const List& scene, const Outcome& outcome, const Ledger
   j["cell_size"] = get<double>(scene.sublist("grid"), "cell size");
   j["version"] = version::number;
   j["commit"] = version::commit;
-  j["model"] = model_of(scene, outcome, b);
+  j["model"] = model_of(scene, b);
   j["status"] = outcome.status;
   j["steps"] = b.step;
   j["time"] = b.time;

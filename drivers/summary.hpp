@@ -25,8 +25,7 @@ struct Outcome {
   std::optional<Asleep> asleep;
   std::vector<Measure> measures;
   std::vector<Verdict> verdicts;
-  std::vector<long> particles;  ///< of each material, in the order of the scene
-  TimeSpent spent;              ///< since the start, or since the restart
+  TimeSpent spent;  ///< since the start, or since the restart
   bool resumed = false;
 
   /// Of all particle-steps. [-]

@@ -7,7 +7,8 @@
 namespace brisance {
 namespace {
 
-constexpr const char* part_names[] = {"set-up", "steps", "watches", "output", "checkpoints"};
+constexpr const char* part_names[] = {"set-up", "steps",       "watches",          "output",
+                                      "tables", "checkpoints", "wait for the disk"};
 
 /// What it costs to look at one launch, measured on one thread. [s]
 constexpr double cost_of_look = 1e-7;

@@ -30,7 +30,7 @@ std::vector<TimeRow> alike_together(const std::vector<TimeRow>& kernels);
 
 class TimeKeeper {
  public:
-  enum Part { set_up, steps, watches, output, checkpoints, count };
+  enum Part { set_up, steps, watches, output, tables, checkpoints, disk, count };
 
   /// What `work` returns; its time counts for a part. Parts are not nested.
   template <class F>

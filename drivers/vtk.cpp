@@ -7,7 +7,6 @@
 #include <numeric>
 #include <stdexcept>
 #include <string_view>
-#include <type_traits>
 #include <utility>
 
 #include "drivers/files.hpp"
@@ -15,12 +14,8 @@
 namespace brisance::vtk {
 namespace {
 
-template <class T>
-std::string vtk_type() {
-  const std::string kind =
-      std::is_floating_point_v<T> ? "Float" : (std::is_signed_v<T> ? "Int" : "UInt");
-  return kind + std::to_string(8 * sizeof(T));
-}
+/// What is made at once of a column [B].
+constexpr std::size_t piece = 1 << 18;
 
 /// The shortest text that reads back to the same number, whatever the locale.
 std::string text_of(double value) {
@@ -92,7 +87,7 @@ class Document {
          with("NumberOfComponents", std::to_string(column.components())) +
          with("format", "appended") + with("offset", std::to_string(offset_)) + "/>");
     arrays_.push_back(&column);
-    offset_ += sizeof(std::uint64_t) + column.bytes().size();
+    offset_ += sizeof(std::uint64_t) + column.bytes();
   }
 
   /// PointData or CellData; the first number and the first vector are what a viewer colours and
@@ -116,16 +111,24 @@ class Document {
     line("</" + element + '>');
   }
 
-  void write(const std::filesystem::path& path) {
+  void write(const std::filesystem::path& path, Backlog* later) {
     AtomicFile file(path);
     file.write(header_ + "<AppendedData" + with("encoding", "raw") + ">\n_");
+    std::vector<std::uint64_t> numbers;  // aligned for numbers of any type
     for (const auto* array : arrays_) {
-      const std::uint64_t size = array->bytes().size();
+      const std::uint64_t size = array->bytes();
       file.write(&size, sizeof size);
-      file.write(array->bytes().data(), size);
+      const std::size_t of_row = array->bytes_of_row(),
+                        rows = std::max<std::size_t>(piece / of_row, 1);
+      numbers.resize(std::max(numbers.size(), rows * of_row / sizeof(std::uint64_t) + 1));
+      for (std::size_t begin = 0; begin < array->rows(); begin += rows) {
+        const std::size_t end = std::min(array->rows(), begin + rows);
+        array->fill(begin, end, numbers.data());
+        file.write(numbers.data(), (end - begin) * of_row);
+      }
     }
     file.write("\n</AppendedData>\n</VTKFile>\n");
-    file.commit();
+    file.commit(later);
   }
 
  private:
@@ -165,37 +168,21 @@ std::vector<Series::Entry> entries_in(std::string_view text) {
 
 }  // namespace
 
-template <class T>
-Column::Column(std::string name, int components, const std::vector<T>& data)
-    : name_(std::move(name)), type_(vtk_type<T>()), components_(components) {
-  if (components < 1 || data.size() % static_cast<std::size_t>(components) != 0) {
-    throw std::invalid_argument("column '" + name_ + "' has " + std::to_string(data.size()) +
-                                " numbers for rows of " + std::to_string(components));
-  }
-  rows_ = data.size() / static_cast<std::size_t>(components);
-  bytes_.resize(data.size() * sizeof(T));
-  if (!data.empty()) std::memcpy(bytes_.data(), data.data(), bytes_.size());
-}
-
-template Column::Column(std::string, int, const std::vector<double>&);
-template Column::Column(std::string, int, const std::vector<float>&);
-template Column::Column(std::string, int, const std::vector<std::int64_t>&);
-template Column::Column(std::string, int, const std::vector<std::int32_t>&);
-template Column::Column(std::string, int, const std::vector<std::uint8_t>&);
-
 void write_vtp(const std::filesystem::path& path, const std::vector<double>& points,
-               const std::vector<Column>& columns) {
-  write_vtp(path, Column("Points", 3, points), columns);
+               const std::vector<Column>& columns, Backlog* later) {
+  write_vtp(path, Column("Points", 3, points), columns, later);
 }
 
 void write_vtp(const std::filesystem::path& path, const Column& places,
-               const std::vector<Column>& columns) {
+               const std::vector<Column>& columns, Backlog* later) {
   const std::size_t count = places.rows();
-  std::vector<std::int64_t> indices(count);
-  std::iota(indices.begin(), indices.end(), 0);
-  const Column connectivity("connectivity", indices);
-  std::iota(indices.begin(), indices.end(), 1);
-  const Column offsets("offsets", indices);
+  const auto counting = [count](const char* name, std::int32_t from) {
+    return Column::made<std::int32_t>(
+        name, 1, count, [from](std::size_t begin, std::size_t end, std::int32_t* to) {
+          std::iota(to, to + (end - begin), from + static_cast<std::int32_t>(begin));
+        });
+  };
+  const Column connectivity = counting("connectivity", 0), offsets = counting("offsets", 1);
 
   const auto n = std::to_string(count);
   Document document("PolyData");
@@ -210,7 +197,7 @@ void write_vtp(const std::filesystem::path& path, const Column& places,
   document.array(connectivity);
   document.array(offsets);
   document.line("</Verts>\n</Piece>\n</PolyData>");
-  document.write(path);
+  document.write(path, later);
 }
 
 std::size_t Box::count_points() const {
@@ -224,7 +211,8 @@ std::size_t Box::count_cells() const {
 }
 
 void write_vti(const std::filesystem::path& path, const Box& box,
-               const std::vector<Column>& point_columns, const std::vector<Column>& cell_columns) {
+               const std::vector<Column>& point_columns, const std::vector<Column>& cell_columns,
+               Backlog* later) {
   std::string extent;
   for (const int cells : box.cells)
     extent += (extent.empty() ? "0 " : " 0 ") + std::to_string(cells);
@@ -235,7 +223,7 @@ void write_vti(const std::filesystem::path& path, const Box& box,
   document.columns("PointData", point_columns, box.count_points());
   document.columns("CellData", cell_columns, box.count_cells());
   document.line("</Piece>\n</ImageData>");
-  document.write(path);
+  document.write(path, later);
 }
 
 Series Series::resumed(std::filesystem::path path, double time) {
@@ -253,7 +241,7 @@ Series Series::resumed(std::filesystem::path path, double time) {
   return series;
 }
 
-void Series::add(double time, const std::filesystem::path& file) {
+void Series::note(double time, const std::filesystem::path& file) {
   const auto folder = std::filesystem::absolute(path_).lexically_normal().parent_path();
   const auto name = std::filesystem::absolute(file)
                         .lexically_normal()
@@ -268,21 +256,21 @@ void Series::add(double time, const std::filesystem::path& file) {
   }
   if (!entries_.empty() && entries_.back().time == time) entries_.pop_back();
   entries_.push_back({time, name});
-  write();
 }
 
 void Series::resume(std::vector<Entry> entries) {
   entries_ = std::move(entries);
-  if (!entries_.empty()) write();
+  write();
 }
 
 void Series::write() const {
+  if (entries_.empty()) return;
   std::string text = opening("Collection") + "<Collection>\n";
   for (const auto& entry : entries_) {
     text += "<DataSet" + with("timestep", text_of(entry.time)) + with("group", "") +
             with("part", "0") + with("file", entry.file) + "/>\n";
   }
-  write_file(path_, text + "</Collection>\n</VTKFile>\n");
+  write_file(path_, text + "</Collection>\n</VTKFile>\n", later_);
 }
 
 }  // namespace brisance::vtk

@@ -1,7 +1,7 @@
 #pragma once
 // Particles and grids in the XML formats of VTK, as ParaView opens them: data appended raw behind
 // the XML header, 64-bit sizes. Host code on the standard library alone. Every file is written by
-// temporary file and rename.
+// temporary file and rename, and forced to the disk at once or with all that is in a backlog.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -9,40 +9,24 @@
 #include <string>
 #include <vector>
 
+#include "drivers/vtk_column.hpp"
+
+namespace brisance {
+
+class Backlog;
+
+}  // namespace brisance
+
 namespace brisance::vtk {
-
-/// One named array of a file: the numbers of all rows, row after row. A plain vector of double,
-/// float, int64, int32 or uint8 converts into it; the numbers are kept as the bytes that go into
-/// the file.
-class Column {
- public:
-  /// Throws std::invalid_argument if the numbers do not fill rows of that many components.
-  template <class T>
-  Column(std::string name, int components, const std::vector<T>& data);
-  template <class T>
-  Column(std::string name, const std::vector<T>& data) : Column(std::move(name), 1, data) {}
-
-  const std::string& name() const { return name_; }
-  const std::string& type() const { return type_; }  // as VTK calls it: Float64
-  int components() const { return components_; }
-  std::size_t rows() const { return rows_; }
-  const std::vector<char>& bytes() const { return bytes_; }
-
- private:
-  std::string name_, type_;
-  int components_;
-  std::size_t rows_ = 0;
-  std::vector<char> bytes_;
-};
 
 /// Particles: PolyData of one vertex per point. `points` holds x, y, z of each [m]; every column
 /// one row per point. No points at all is a valid file. Throws std::invalid_argument for columns of
 /// another length.
 void write_vtp(const std::filesystem::path& path, const std::vector<double>& points,
-               const std::vector<Column>& columns);
+               const std::vector<Column>& columns, Backlog* later = nullptr);
 /// The same for points of another type: "Points" in rows of three.
 void write_vtp(const std::filesystem::path& path, const Column& points,
-               const std::vector<Column>& columns);
+               const std::vector<Column>& columns, Backlog* later = nullptr);
 
 /// A box of equal cells; 0 cells along a direction make it flat there, as a 1-D or 2-D grid is.
 struct Box {
@@ -56,10 +40,11 @@ struct Box {
 
 /// A grid: ImageData with values at the nodes and in the cells, x fastest.
 void write_vti(const std::filesystem::path& path, const Box& box,
-               const std::vector<Column>& point_columns, const std::vector<Column>& cell_columns);
+               const std::vector<Column>& point_columns, const std::vector<Column>& cell_columns,
+               Backlog* later = nullptr);
 
-/// The `.pvd` file that gives a time to each file of a series. It is rewritten at each addition, so
-/// that a run that is stopped leaves a readable series.
+/// The `.pvd` file that gives a time to each file of a series. It is always whole, so that a run
+/// that is stopped leaves a readable series.
 class Series {
  public:
   struct Entry {
@@ -68,7 +53,8 @@ class Series {
   };
 
   /// A new series; nothing is written before the first addition.
-  explicit Series(std::filesystem::path path) : path_(std::move(path)) {}
+  explicit Series(std::filesystem::path path, Backlog* later = nullptr)
+      : path_(std::move(path)), later_(later) {}
 
   /// Goes on with the series that a run left behind, without its entries at or after `time` [s]; if
   /// there is no file, a new one. Throws std::runtime_error if the file is no series of ours.
@@ -77,18 +63,24 @@ class Series {
   /// Takes up these entries in place of its own, and writes them.
   void resume(std::vector<Entry> entries);
 
-  /// Adds a file that lies in or below the folder of the .pvd. Throws std::invalid_argument for
-  /// times out of order.
-  void add(double time, const std::filesystem::path& file);
+  /// Adds a file that lies in or below the folder of the .pvd, which is written by the next
+  /// write(). Throws std::invalid_argument for times out of order.
+  void note(double time, const std::filesystem::path& file);
+  /// Adds it and writes the .pvd.
+  void add(double time, const std::filesystem::path& file) {
+    note(time, file);
+    write();
+  }
+  /// The .pvd; nothing where there is no entry.
+  void write() const;
 
   const std::vector<Entry>& entries() const { return entries_; }
   const std::filesystem::path& path() const { return path_; }
 
  private:
   std::filesystem::path path_;
+  Backlog* later_;
   std::vector<Entry> entries_;
-
-  void write() const;
 };
 
 }  // namespace brisance::vtk

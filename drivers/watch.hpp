@@ -12,6 +12,7 @@
 
 namespace brisance {
 
+class Backlog;
 class Simulation;
 
 class Watch {
@@ -26,8 +27,8 @@ class Watch {
   virtual std::vector<Measure> measures() const = 0;
   /// All that it remembers from one output to the next, for restart.
   virtual void keep(Archive& archive) = 0;
-  /// Files of its own, into the folder of the run.
-  virtual void write(const std::filesystem::path& /*folder*/) const {}
+  /// Files of its own, into the folder of the run; forced to the disk as a file is (files.hpp).
+  virtual void write(const std::filesystem::path& /*folder*/, Backlog* /*later*/) const {}
 };
 
 /// The materials of a scene, in its order.

@@ -82,8 +82,9 @@ TEST(Cost, OfPaperOnALineIsTheStepOfAppendixA) {
                                    {"volume", 8},
                                    {"stress", 8},
                                    {"history", 8},
-                                   {"id", 8}}));
-  EXPECT_EQ(cost.bytes(), 64);
+                                   {"id", 8},
+                                   {"bin", 4}}));
+  EXPECT_EQ(cost.bytes(), 68);
 }
 
 TEST(Cost, OfBalancedInThePlaneIsThis) {
@@ -114,8 +115,9 @@ TEST(Cost, OfBalancedInThePlaneIsThis) {
                                    {"extent", 16},
                                    {"work", 8},
                                    {"scratch", 16},
-                                   {"id", 8}}));
-  EXPECT_EQ(cost.bytes(), 144);
+                                   {"id", 8},
+                                   {"bin", 4}}));
+  EXPECT_EQ(cost.bytes(), 148);
 }
 
 TEST(Cost, OfAffineMotionIsOneMatrix) {
@@ -202,8 +204,9 @@ TEST(Cost, OfASolidInThePlaneIsThis) {
                                    {"history", 8},
                                    {"affine", 32},
                                    {"work", 8},
-                                   {"id", 8}}));
-  EXPECT_EQ(cost.bytes(), 200);
+                                   {"id", 8},
+                                   {"bin", 4}}));
+  EXPECT_EQ(cost.bytes(), 204);
 }
 
 TEST(Cost, OfFreeEndsIsNoWall) {

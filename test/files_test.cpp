@@ -66,6 +66,27 @@ class Powerless {
   bool root_, ok_;
 };
 
+TEST_F(Files, WhatWaitsForTheDiskIsThereAtOnce) {
+  Backlog backlog;
+  write_file(folder / "a.txt", "old", &backlog);
+  write_file(folder / "a.txt", "new", &backlog);
+  write_file(folder / "b.txt", "gone soon", &backlog);
+  EXPECT_EQ(read_file(folder / "a.txt"), "new");
+  EXPECT_FALSE(backlog.empty());
+  fs::remove(folder / "b.txt");
+  backlog.force();
+  EXPECT_TRUE(backlog.empty());
+  EXPECT_EQ(read_file(folder / "a.txt"), "new");
+}
+
+TEST_F(Files, WhatCannotBeForcedToTheDiskIsSaid) {
+  Backlog backlog;
+  const fs::path endless = folder / std::string(300, 'x');  // longer than any name may be
+  backlog.add(endless);
+  EXPECT_EQ(error_of([&] { backlog.force(); }),
+            "cannot write '" + endless.string() + "': File name too long");
+}
+
 TEST_F(Files, AFileAppearsOnlyWhenCommitted) {
   const auto path = folder / "a.txt";
   AtomicFile file(path);

@@ -257,7 +257,7 @@ TEST(FragmentWatch, CountsPiecesFromTheLeastMassOn) {
 
   const test::Folder folder("fragment_watch");
   std::filesystem::create_directories(folder.path);
-  seen.write(folder.path);
+  seen.write(folder.path, nullptr);
   const std::string text = read_file(folder.path / "fragments.csv");
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 3) << text;
   EXPECT_NE(text.find("\n0.25,1,6,12,1,1.5,0,1,0,6,0,0,"), std::string::npos) << text;

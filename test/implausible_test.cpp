@@ -173,8 +173,8 @@ TEST(Memory, IsComparedWithWhatIsFree) {
   EXPECT_NO_THROW(check_grid_memory(scene, std::numeric_limits<double>::infinity()));
   EXPECT_NO_THROW(check_grid_memory(scene, 1e6));
   EXPECT_THROW(check_grid_memory(scene, 23 * 8 * 7), InputError);
-  EXPECT_NO_THROW(check_particle_memory(scene, 1e6, 56e6));
-  EXPECT_THROW(check_particle_memory(scene, 1e6, 55e6), InputError);
+  EXPECT_NO_THROW(check_particle_memory(scene, 1e6, 60e6));
+  EXPECT_THROW(check_particle_memory(scene, 1e6, 59e6), InputError);
   EXPECT_GT(available_memory(), 1e6);
   List huge = test::scene(2);
   huge.sublist("grid").set("cells", Teuchos::Array<int>(2, 40000)).set("cell size", 1e-3);

@@ -40,8 +40,8 @@ TEST(Report, SaysWhatWasModelledHowItWentAndWhereToLook) {
        {"sod: Sod's shock tube\n", "model    line, 50 cells of 0.02 m, ", "gas (perfect gas): ",
         "scheme   preset balanced, midpoint; fluids: linear shapes, FLIP, cell quadrature\n",
         "run      finished at t = 0.2 s after ", "kept     mass to ", "time     ", "sort particles",
-        "steps, between kernels", "output  ", "checkpoints  ", "the rest", "checks   ",
-        "L1 density", "files    results in ", "particles.pvd, grid.pvd, history.csv",
+        "steps, between kernels", "output  ", "checkpoints  ", "wait for the disk", "the rest",
+        "checks   ", "L1 density", "files    results in ", "particles.pvd, grid.pvd, history.csv",
         "look     brisance plot '"})
     EXPECT_THAT(ran.out, HasSubstr(part));
   EXPECT_THAT(read_file(folder.path / "log.txt"), HasSubstr(ran.out));

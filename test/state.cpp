@@ -235,7 +235,7 @@ double distance(const ParticleTable& a, const ParticleTable& b) {
                             &ParticleTable::pressure, &ParticleTable::energy}) {
     const bool velocity = column == &ParticleTable::vx || column == &ParticleTable::vy;
     double scale = velocity ? 1 : 1e-300, apart = 0;
-    for (std::size_t k = 0; k < a.size(); ++k) {
+    for (std::size_t k = 0; k < (a.*column).size(); ++k) {  // none beyond the dimension
       const double value = (a.*column)[of_a[k]];
       scale = std::max(scale, std::fabs(value));
       apart = std::max(apart, std::fabs(value - (b.*column)[of_b[k]]));

@@ -133,8 +133,8 @@ TEST_F(Vtk, ParticlesReadBackBitForBit) {
 
 TEST_F(Vtk, EachParticleIsAVertex) {
   const Parsed file(frame("p.vtp", 4));
-  EXPECT_EQ(file.numbers<std::int64_t>("connectivity"), (std::vector<std::int64_t>{0, 1, 2, 3}));
-  EXPECT_EQ(file.numbers<std::int64_t>("offsets"), (std::vector<std::int64_t>{1, 2, 3, 4}));
+  EXPECT_EQ(file.numbers<std::int32_t>("connectivity"), (std::vector<std::int32_t>{0, 1, 2, 3}));
+  EXPECT_EQ(file.numbers<std::int32_t>("offsets"), (std::vector<std::int32_t>{1, 2, 3, 4}));
 }
 
 TEST_F(Vtk, NoParticlesAreAFileToo) {
