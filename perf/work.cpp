@@ -50,7 +50,7 @@ constexpr double mls_tensor_force(const Shape& s) { return 4 + s.weights + s.arm
 constexpr double scatter_mean(const Shape& s) { return s.weights + 4 * s.nodes + 1 / per_cell; }
 
 // ---- Once a particle ----
-constexpr double strain = 9;          // D, trace, growth of the volume, densities
+constexpr double strain = 10;         // D, trace, growth of the volume, densities
 constexpr double signals = 22;        // rho, c, b + (b^2 + c^2)^1/2, |v|, greatest
 constexpr double solid_signals = 8;   // rho, c, |v|, greatest
 constexpr double move = 4;            // x + u dt
@@ -72,13 +72,14 @@ constexpr double smoothness = 22 / per_cell;     // limiter along x and y
 constexpr double gradient_in_cell = 16 / per_cell;
 constexpr double force_in_cell = 2 + 16 / per_cell;
 
-/// FLIP with the heat that it leaves: changes, velocities, and the squares of both.
+/// FLIP with the heat that it leaves: changes, velocities, and the squares of both, with weights
+/// that are known.
 constexpr double flip_with_heat(const Shape& s) {
-  return gather(s, 6) + 16 * s.nodes / per_cell + 2 * 15 + 8 + 5;
+  return 12 * s.nodes + 16 * s.nodes / per_cell + 2 * 15 + 9 + 5;
 }
 /// APIC: v and C, then the squares of what v + C r misses, before and after.
 constexpr double apic_with_heat(const Shape& s) {
-  return 12 * s.nodes + 6 + 28 * s.nodes + 5 + 6 * s.nodes / per_cell;
+  return 12 * s.nodes + 6 + 30 * s.nodes + 5 + 8 * s.nodes / per_cell;
 }
 
 /// Relaxations of a gas.
@@ -107,8 +108,8 @@ Work paper(const Shape& s) {
 /// Stress at cells, compatible energy; `q` and relaxations per step are those of the preset.
 Work by_cells(double q, double relaxation) {
   const double half_step = strain + q + 4 + gas_energy,
-               finish = flip_with_heat(linear) + gradient_in_cell + work_of_stress +
-                        2 * 2 * linear.nodes + move + stretch + receive;
+               finish = linear.weights + flip_with_heat(linear) + gradient_in_cell +
+                        work_of_stress + 2 * 2 * linear.nodes + move + stretch + receive;
   return work(momentum(linear) + gradient_in_cell + signals + cell_means + fill_of_cells +
                   half_step + force_in_cell + nodes_of_midpoint + finish + relaxation,
               common_values + energy + edges);

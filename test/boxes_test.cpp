@@ -61,16 +61,19 @@ TEST_P(Boxes, SomeTenthOfTheConcreteHasFailedAndMoreIsDamaged) {
   }
 }
 
-// A step at the CFL number 0.5 moves them by 0.5 (0.3, 0.2) / 1.3 of a cell or more.
-TEST_P(Boxes, AFifthOfTheParticlesChangesCellInAStep) {
-  for (const Box& box : {gas_box("paper", GetParam(), cells), steel_box(GetParam(), cells),
-                         concrete_box(GetParam(), cells)}) {
+// At the CFL number C the drift is C (0.3, 0.2) / 1.3 of a cell in a step where nothing else is
+// fast: (0.18, 0.12) at 0.8, which 28 % of the particles leave; (0.07, 0.05) at the 0.3 of `paper`,
+// 12 %. Viscosity and the vortex take up to half of a step of gas.
+TEST_P(Boxes, ParticlesChangeTheirCells) {
+  const auto changing = [](const Box& box) {
     const auto simulation = set_going(box, 5);
     double share = 0;
     for (int k = 0; k < 10; ++k) share += changing_cell(*simulation) / 10;
-    std::printf("share %g\n", share);
-    EXPECT_GT(share, 0.1);
-  }
+    return share;
+  };
+  EXPECT_GT(changing(gas_box("paper", GetParam(), cells)), 0.06);
+  EXPECT_GT(changing(steel_box(GetParam(), cells)), 0.14);
+  EXPECT_GT(changing(concrete_box(GetParam(), cells)), 0.14);
 }
 
 TEST_P(Boxes, QuadraticShapesHaveMoreToDo) {
@@ -79,12 +82,12 @@ TEST_P(Boxes, QuadraticShapesHaveMoreToDo) {
 }
 
 TEST(PeakMemory, IsTheMostThatWasHeldBetween) {
-  const std::size_t size = 1 << 26;
+  const std::size_t size = 1 << 28;
   const PeakMemory memory;
   EXPECT_EQ(std::vector<char>(size, 1).back(), 1);
   if (!memory.marks()) GTEST_SKIP() << "the high-water mark of memory cannot be reset here";
-  EXPECT_GE(memory.bytes(), size);
-  EXPECT_LT(memory.bytes(), 1.5 * size);
+  EXPECT_GT(memory.bytes(), 0.99 * size);  // the kernel counts in batches, see proc(5)
+  EXPECT_LT(memory.bytes(), 1.5 * size);   // sanitizers have their own
 }
 
 }  // namespace
