@@ -29,13 +29,14 @@ class Options(argparse.ArgumentParser):
 def main():
     parser = Options(prog="brisance bench", description=__doc__,
                      epilog="Without one of the first four, all words go to Google Benchmark: "
-                            "--benchmark_filter=step, --benchmark_list_tests, ...")
+                            "--benchmark_filter=step, --benchmark_list_tests, ...; --cells=100,200 adds boxes of gas "
+                            "of so many cells along an edge, size/PRESET/N.")
     what = parser.add_mutually_exclusive_group(required=True)
     what.add_argument("--scaling", action="store_true", help="measure on 1, 2, 4, ... threads")
     what.add_argument("--sizes", action="store_true",
                       help="time and memory of a particle in boxes of 1e4 to 1e7; minutes")
     what.add_argument("--roofline", action="store_true",
-                      help="what steps have to do, beside what the machine can do in the same minute")
+                      help="what steps have to do, beside what the machine can do in the same call; minutes")
     what.add_argument("--compare", nargs=2, metavar=("A.json", "B.json"),
                       help="of two builds, each from --benchmark_out=FILE --benchmark_repetitions=5")
     parser.add_argument("--program", default="", help=argparse.SUPPRESS)

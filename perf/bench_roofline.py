@@ -32,7 +32,8 @@ def table(rows):
     width = max(len(row["benchmark"]) for row in rows)
     lines = [f"machine: triad {first['triad, GB/s']:.1f} GB/s, multiply and add "
              f"{first['multiply and add, GFLOP/s']:.1f} GFLOP/s",
-             f"{'benchmark':{width}}        rate  {'unit':16}  noise  FLOP/B  GFLOP/s    GB/s  of triad  of peak  of roof"]
+             f"{'benchmark':{width}}        rate  {'unit':16}  noise  FLOP/B  GFLOP/s    GB/s  of triad  of peak  "
+             "of roof"]
     for row in rows:
         lines.append(f"{row['benchmark']:{width}}  {row['rate']:10.4g}  {row['unit']:16}  {100 * row['noise']:3.0f} %  "
                      f"{row['FLOP/B']:6.2f}  {row['GFLOP/s']:7.2f}  {row['GB/s']:6.2f}  "
@@ -47,9 +48,10 @@ def draw(rows, context, path):
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
     triad, peak = rows[0]["triad, GB/s"], rows[0]["multiply and add, GFLOP/s"]
-    fig, panel = plt.subplots(figsize=(8, 5.5))
-    ends = [min(0.5, *(0.5 * row["FLOP/B"] for row in rows)), max(4 * peak / triad, *(2 * row["FLOP/B"] for row in rows))]
-    panel.plot([ends[0], peak / triad, ends[1]], [ends[0] * triad, peak, peak], color="#3b4750", lw=1.5,
+    fig, panel = plt.subplots(figsize=(9, 4.8))
+    intensities = [row["FLOP/B"] for row in rows]
+    low, high = 0.5 * min(intensities + [peak / triad]), 2 * max(intensities + [peak / triad])
+    panel.plot([low, peak / triad, high], [low * triad, peak, peak], color="#3b4750", lw=1.5,
                label=f"triad {triad:.1f} GB/s, multiply and add {peak:.0f} GFLOP/s")
     colours = plt.get_cmap("tab10").colors
     for k, row in enumerate(rows):
@@ -57,8 +59,12 @@ def draw(rows, context, path):
                    label=f"{row['benchmark']}: {100 * row['share of roof']:.0f} % of the roof")
     panel.set(xscale="log", yscale="log", xlabel="operations per byte that a step cannot do without, FLOP/B",
               ylabel="GFLOP/s")
-    panel.grid(color="#e3e7ea")
-    panel.legend(fontsize=7, frameon=False)
+    for axis in (panel.xaxis, panel.yaxis):
+        axis.set_major_locator(plt.LogLocator(subs=(1, 2, 5)))
+        axis.set_major_formatter(plt.FuncFormatter(lambda value, _: f"{value:g}"))
+        axis.set_minor_formatter(plt.NullFormatter())
+    panel.grid(color="#e3e7ea", which="both", lw=0.5)
+    panel.legend(fontsize=7, frameon=False, loc="upper left", bbox_to_anchor=(1.01, 1))
     fig.suptitle(origin(context, rows[0]["threads"]), fontsize=9)
     fig.tight_layout()
     fig.savefig(path, dpi=150)

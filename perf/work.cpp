@@ -4,7 +4,9 @@
 // An addition, product, division, root, comparison each count as one, a fused multiply-add as two.
 // Each loop over the nodes of a particle finds its weights anew. What is done at a node or in a
 // cell falls on the particles of a cell. Only what a step does to every particle counts: sorting,
-// splitting, ends of the domain do not.
+// splitting, ends of the domain do not. Of the instructions of a scalar build, counted one by one
+// (callgrind), the program executes 1.5 to 2.5 times as many: 2.2 paper, 2.0 fast, 2.5
+// balanced, 1.7 accurate, 1.9 paper with quadratic shapes, 1.5 and 1.6 steel.
 //
 // Bytes are what no program can do without: each value of a particle that outlives a step is read
 // and written once (mass: read), 8 bytes each. Nodes, and what one loop leaves to the next, may

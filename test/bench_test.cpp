@@ -130,6 +130,13 @@ json.dump({"context": {"commit": "abc", "processor": "pretended"}, "benchmarks":
   }
 };
 
+TEST_F(Bench, HelpNamesWhatThereIs) {
+  const Ran ran = bench("--help");
+  EXPECT_EQ(ran.status, 0);
+  for (const char* what : {"--scaling", "--sizes", "--roofline", "--compare", "--benchmark_filter"})
+    EXPECT_THAT(ran.out, HasSubstr(what));
+}
+
 // Its rate grows with the square root of the threads, that of the weak box with the threads.
 TEST_F(PretendedBench, ScalingIsTableFileAndPicture) {
   const Ran ran = bench("--scaling --threads 4 --program ./program --out scaled");
