@@ -1,9 +1,7 @@
 """How the benchmarks gain from threads: a table, scaling.csv and scaling.png."""
-import csv
 import os
-import sys
 
-from bench_files import Missing, measure
+from bench_files import make_folder, measure, origin, present
 
 PATTERN = r"^(machine|kernel/linear FLIP by cell|kernel/quadratic|kernel/sort|step/.*/500|weak)"
 
@@ -33,8 +31,8 @@ def rows_of(runs):
             rows.append({
                 "benchmark": name, "scaling": "weak" if name.startswith("weak/") else "strong", "threads": threads,
                 "rate": result.rate, "unit": result.unit, "speed-up": gain, "efficiency": gain / threads,
-                "noise": result.noise, "GB/s": result.bandwidth,
-                "share of triad": result.bandwidth / triad.rate if triad else float("nan")})
+                "noise": result.noise, "GB/s": result.count("GB/s"),
+                "share of triad": result.count("GB/s") / triad.rate if triad else float("nan")})
     return rows
 
 
@@ -70,34 +68,18 @@ def draw(rows, context, path):
         panel.grid(color="#e3e7ea")
         panel.legend(fontsize=6.5, frameon=False)
     panels[0].set_ylabel("rate over that of one thread")
-    fig.suptitle(f"{context.get('processor', '')}, commit {context.get('commit', '')}", fontsize=9)
+    fig.suptitle(origin(context), fontsize=9)
     fig.tight_layout()
     fig.savefig(path, dpi=150)
 
 
 def scale(program, out, most, pattern, seconds):
-    try:
-        os.makedirs(out, exist_ok=True)
-    except OSError as problem:
-        raise Missing(f"cannot write {out}: {problem.strerror}") from None
+    make_folder(out)
     runs, context = [], {}
     for threads in thread_counts(most):
         path = os.path.join(out, f"threads_{threads}.json")
-        context, results = measure(program, pattern, threads, path, seconds)
+        context, results = measure(program, pattern or PATTERN, threads, path, seconds)
         runs.append((threads, results))
     rows = rows_of(runs)
-    path = os.path.join(out, "scaling.csv")
-    with open(path, "w", newline="") as file:
-        writer = csv.DictWriter(file, list(rows[0]) + ["processor", "commit", "compiler"])
-        writer.writeheader()
-        for row in rows:
-            writer.writerow({**row, **{key: context.get(key, "") for key in ("processor", "commit", "compiler")}})
     print(table(rows))
-    print(path)
-    try:
-        draw(rows, context, os.path.join(out, "scaling.png"))
-    except ImportError as missing:
-        print(f"bench: no picture: {missing.name} is missing", file=sys.stderr)
-        return 1
-    print(os.path.join(out, "scaling.png"))
-    return 0
+    return present(out, "scaling", rows, context, lambda path: draw(rows, context, path))

@@ -1,7 +1,8 @@
 #pragma once
-// The benchmarks by subject. Their names begin with machine/, law/, kernel/, step/, weak/, scene/.
-// They count particle-steps, particles or points a second; kernels, and the machine, also GB and
-// GFLOP a second.
+// The benchmarks by subject. Their names begin with machine/, law/, kernel/, step/, weak/, size/,
+// scene/. They count particle-steps, particles or points a second; kernels, steps and the machine
+// also GB and GFLOP a second.
+#include <vector>
 
 namespace brisance::perf {
 
@@ -10,6 +11,8 @@ void register_laws();
 void register_kernels();
 /// `threads`: of the runtime, for boxes that grow with them.
 void register_steps(int threads);
+/// Boxes of gas of so many cells along an edge.
+void register_sizes(const std::vector<int>& cells);
 void register_scenes();
 
 }  // namespace brisance::perf

@@ -1,55 +1,71 @@
-// Whole steps of a box of gas, in particle-steps per second: the starting point for all work on
-// speed.
+// Whole steps of boxes of gas, steel and concrete, in particle-steps per second: the starting point
+// for all work on speed. GB/s and GFLOP/s are what a step has to do at least, see work.hpp.
 #include <benchmark/benchmark.h>
 
-#include <Teuchos_ParameterList.hpp>
 #include <cmath>
-#include <limits>
+#include <exception>
+#include <functional>
 
-#include "drivers/scene.hpp"
 #include "perf/benchmarks.hpp"
+#include "perf/boxes.hpp"
 #include "perf/stepping.hpp"
 
 namespace brisance::perf {
 namespace {
 
-/// A periodic box of cells with 2 x 2 particles each: a vortex in gas that drifts at 0.3 and 0.2 of
-/// the sound speed, so that particles change their cells as those of real flows do.
-List box(const std::string& preset, int cells) {
-  List scene("box");
-  scene.set("geometry", "plane strain").set("preset", preset);
-  scene.sublist("grid").set("cells", Teuchos::Array<int>(std::vector<int>{cells, cells}));
-  scene.sublist("grid").set("cell size", 1.0 / cells);
-  for (const char* end : {"x low", "x high", "y low", "y high"})
-    scene.sublist("boundaries").set(end, "periodic");
-  scene.sublist("time").set("end", 1.0);
-  scene.sublist("materials").sublist("gas").set("law", "perfect gas").set("gamma", 1.4);
-  List& body = scene.sublist("bodies").sublist("gas");
-  body.set("material", "gas").set("particles per cell", 2).set("initial state", "exact");
-  List& vortex = scene.sublist("exact");
-  vortex.set("solution", "vortex").set("gamma", 1.4).set("box length", 1.0).set("radius", 0.1);
-  vortex.set("centre", Teuchos::Array<double>(std::vector<double>{0.5, 0.5}));
-  const double sound = std::sqrt(1.4);  // of density and pressure 1
-  vortex.set("velocity", Teuchos::Array<double>(std::vector<double>{0.3 * sound, 0.2 * sound}));
-  return complete_scene(scene);
+using Make = std::function<Box(int)>;
+constexpr const char* presets[] = {"paper", "fast", "balanced", "accurate"};
+
+void run(benchmark::State& state, const Box& box) {
+  const double particle_steps = steps_of(state, box.scene, box.start.get());
+  const auto count = [&](const char* unit, double of_one) {
+    if (of_one > 0)
+      state.counters[unit] =
+          benchmark::Counter(1e-9 * of_one * particle_steps, benchmark::Counter::kIsRate);
+  };
+  count("GB/s", box.work.bytes);
+  count("GFLOP/s", box.work.flops);
 }
 
-void add(const std::string& name, const std::string& preset, int cells) {
-  benchmark::RegisterBenchmark(
-      (name + "/" + preset + "/" + std::to_string(cells)).c_str(),
-      [=](benchmark::State& state) { steps_of(state, box(preset, cells)); })
+void add(const std::string& name, int cells, const Make& make) {
+  benchmark::RegisterBenchmark((name + "/" + std::to_string(cells)).c_str(),
+                               [=](benchmark::State& state) {
+                                 try {
+                                   run(state, make(cells));
+                                 } catch (const std::exception& error) {  // too little memory
+                                   state.SkipWithError(error.what());
+                                 }
+                               })
       ->Unit(benchmark::kMillisecond)
       ->UseRealTime();
+}
+
+Make gas(const std::string& preset, bool quadratic = false) {
+  return [=](int cells) { return gas_box(preset, quadratic, cells); };
 }
 
 }  // namespace
 
 void register_steps(int threads) {
-  for (const char* preset : {"paper", "fast", "balanced", "accurate"}) {
-    for (const int cells : {50, 500}) add("step/plane strain", preset, cells);
+  const int weak = static_cast<int>(std::lround(200 * std::sqrt(threads)));
+  for (const std::string preset : presets) {
+    for (const int cells : {50, 500}) add("step/plane strain/" + preset, cells, gas(preset));
     // As many cells for each thread, whatever their number.
-    add("weak/plane strain", preset, static_cast<int>(std::lround(200 * std::sqrt(threads))));
+    add("weak/plane strain/" + preset, weak, gas(preset));
   }
+  for (const int cells : {50, 500}) {
+    add("step/plane strain/paper quadratic", cells, gas("paper", true));
+    for (const bool quadratic : {false, true}) {
+      const std::string shape = quadratic ? "quadratic" : "linear";
+      add("step/steel/" + shape, cells, [=](int n) { return steel_box(quadratic, n); });
+      add("step/concrete/" + shape, cells, [=](int n) { return concrete_box(quadratic, n); });
+    }
+  }
+}
+
+void register_sizes(const std::vector<int>& cells) {
+  for (const std::string preset : presets)
+    for (const int n : cells) add("size/" + preset, n, gas(preset));
 }
 
 }  // namespace brisance::perf

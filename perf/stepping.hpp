@@ -2,11 +2,14 @@
 #include <benchmark/benchmark.h>
 
 #include "core/parameters.hpp"
+#include "drivers/exact.hpp"
 
 namespace brisance::perf {
 
 /// Measures steps of a complete scene, after some that fill caches and set things going:
-/// particle-steps/s, particles, bytes a particle.
-void steps_of(benchmark::State& state, const List& scene);
+/// particle-steps/s, particles, the peak of memory since before the set-up, all included; of solids
+/// the shares of the points that yield in a step, are damaged, have begun to come apart. Returns
+/// how many particle-steps were measured.
+double steps_of(benchmark::State& state, const List& scene, const ExactSolution* exact);
 
 }  // namespace brisance::perf

@@ -1,5 +1,5 @@
-// What stands around the benchmarks: verdicts on two results, and scaling, of a program that only
-// pretends to measure.
+// What stands around the benchmarks: verdicts on two results; scaling, sizes and roofline of a
+// program that only pretends to measure.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -19,6 +19,7 @@ using nlohmann::json;
 using test::Folder;
 using test::Ran;
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 
 class Bench : public testing::Test {
@@ -97,20 +98,47 @@ TEST_F(Bench, RefusesWhatIsNoResultInOneLine) {
   }
 }
 
-// Its rate grows with the square root of the threads, that of the weak box with the threads.
-TEST_F(Bench, ScalingIsTableFileAndPicture) {
-  write_file(folder.path / "program", R"(#!/usr/bin/python3
+/// A program that writes what it counts, without measuring.
+class PretendedBench : public Bench {
+ protected:
+  PretendedBench() {
+    write_file(folder.path / "program", R"(#!/usr/bin/python3
 import json, os, sys
-out = [word.split("=", 1)[1] for word in sys.argv if word.startswith("--benchmark_out=")][0]
+def words(option):
+    return [word.split("=", 1)[1] for word in sys.argv if word.startswith(option)]
 threads = int(os.environ["OMP_NUM_THREADS"])
-def entry(name, rate, unit):
-    return {"name": name, "run_name": name, "run_type": "iteration", "real_time": 1, "time_unit": "ms", unit: rate}
-json.dump({"context": {"commit": "abc", "processor": "pretended"}, "benchmarks": [
-    entry("machine/triad", 10.0, "GB/s"), entry("step/500", 100.0 * threads**0.5, "particle-steps/s"),
-    entry("weak/box/%d" % (200 * threads**0.5), 100.0 * threads, "particle-steps/s"),
-    {**entry("kernel/force", 50.0, "particles/s"), "GB/s": 4.0}]}, open(out, "w"))
+entries = []
+def entry(name, **counts):
+    entries.append({"name": name, "run_name": name + "/real_time", "run_type": "iteration", "real_time": 1,
+                    "time_unit": "ms", **counts})
+entry("machine/triad", **{"GB/s": 10.0})
+entry("machine/multiply and add", **{"GFLOP/s": 50.0})
+entry("step/500", **{"particle-steps/s": 100.0 * threads**0.5, "GB/s": 2.0, "GFLOP/s": 4.0})
+entry("step/uncounted", **{"particle-steps/s": 1.0})
+entry("weak/box/%d" % (200 * threads**0.5), **{"particle-steps/s": 100.0 * threads})
+entry("kernel/force", **{"particles/s": 50.0, "GB/s": 4.0})
+for cells in words("--cells="):
+    for n in map(int, cells.split(",")):
+        entry("size/balanced/%d" % n, **{"particle-steps/s": 1e7, "particles": 4.0 * n * n, "peak bytes/particle": 200.0})
+pattern = words("--benchmark_filter=")[0]
+if "^size" in pattern:
+    entries = [e for e in entries if e["name"].startswith("size")]
+json.dump({"context": {"commit": "abc", "processor": "pretended"}, "benchmarks": entries},
+          open(words("--benchmark_out=")[0], "w"))
 )");
-  fs::permissions(folder.path / "program", fs::perms::owner_all);
+    fs::permissions(folder.path / "program", fs::perms::owner_all);
+  }
+};
+
+TEST_F(Bench, HelpNamesWhatThereIs) {
+  const Ran ran = bench("--help");
+  EXPECT_EQ(ran.status, 0);
+  for (const char* what : {"--scaling", "--sizes", "--roofline", "--compare", "--benchmark_filter"})
+    EXPECT_THAT(ran.out, HasSubstr(what));
+}
+
+// Its rate grows with the square root of the threads, that of the weak box with the threads.
+TEST_F(PretendedBench, ScalingIsTableFileAndPicture) {
   const Ran ran = bench("--scaling --threads 4 --program ./program --out scaled");
   ASSERT_EQ(ran.status, 0) << ran.err;
   const std::string csv = read_file(folder.path / "scaled/scaling.csv");
@@ -118,6 +146,36 @@ json.dump({"context": {"commit": "abc", "processor": "pretended"}, "benchmarks":
   EXPECT_THAT(csv, HasSubstr("weak/box,weak,4,400.0,particle-steps/s,4.0,1.0,"));
   EXPECT_THAT(ran.out, HasSubstr("40 %"));  // of the triad: kernel/force
   EXPECT_TRUE(fs::exists(folder.path / "scaled/scaling.png"));
+}
+
+// Two boxes a decade of particles.
+TEST_F(PretendedBench, SizesAreTableFileAndPicture) {
+  const Ran ran = bench("--sizes --largest 1e5 --threads 2 --program ./program --out sized");
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  const std::string csv = read_file(folder.path / "sized/sizes.csv");
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 3) << csv;
+  EXPECT_THAT(csv, HasSubstr("size/balanced,10000,2,100.0,0.0,200.0,pretended,abc,"));
+  EXPECT_THAT(csv, HasSubstr("size/balanced,31684,2,"));
+  EXPECT_THAT(csv, HasSubstr("size/balanced,99856,2,"));
+  EXPECT_TRUE(fs::exists(folder.path / "sized/sizes.png"));
+}
+
+// Two operations a byte: the roof is 2 x 10 GFLOP/s, the step's 4 are a fifth of it.
+TEST_F(PretendedBench, RooflineIsTableFileAndPicture) {
+  const Ran ran = bench("--roofline --threads 1 --program ./program --out roofed");
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  const std::string csv = read_file(folder.path / "roofed/roofline.csv");
+  EXPECT_THAT(csv,
+              HasSubstr("step/500,1,100.0,particle-steps/s,0.0,2.0,4.0,2.0,20.0,0.2,10.0,50.0,"));
+  EXPECT_THAT(csv, Not(HasSubstr("uncounted")));
+  EXPECT_THAT(ran.out, HasSubstr("20 %"));
+  EXPECT_TRUE(fs::exists(folder.path / "roofed/roofline.png"));
+}
+
+TEST_F(PretendedBench, RefusesBoxesWithoutARange) {
+  const Ran ran = bench("--sizes --largest 2e4 --program ./program");
+  EXPECT_EQ(ran.status, 1);
+  EXPECT_EQ(ran.err, "brisance: --largest must be at least 31623 particles\n");
 }
 
 }  // namespace
