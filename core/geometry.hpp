@@ -32,8 +32,8 @@ KOKKOS_FORCEINLINE_FUNCTION SymOf<T> strain_rate(const MatOf<T, G::dim>& gradien
 /// The rotation of a step, R = (1 - W dt/2)^-1 (1 + W dt/2) with the spin W = skew(L): orthogonal
 /// for any step (Hughes & Winget 1980).
 template <class G, class T>
-KOKKOS_FORCEINLINE_FUNCTION MatOf<T, 3> rotation(
-    [[maybe_unused]] const MatOf<T, G::dim>& gradient, [[maybe_unused]] double dt) {
+KOKKOS_FORCEINLINE_FUNCTION MatOf<T, 3> rotation([[maybe_unused]] const MatOf<T, G::dim>& gradient,
+                                                 [[maybe_unused]] double dt) {
   static_assert(G::dim < 3, "three directions need the inverse of a 3 x 3 matrix");
   MatOf<T, 3> r;
   for (int i = 0; i < 3; ++i) r(i, i) = 1;

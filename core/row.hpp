@@ -17,7 +17,7 @@ struct Row {
   int base[D];
   int line_end;   ///< end of the bins of the whole line
   int owned_end;  ///< end of the bins that the same thread works on
-  int number;    ///< from 0 on, for results of its own
+  int number;     ///< from 0 on, for results of its own
 };
 
 /// How the bins of a lattice fall into rows and these into blocks, whatever the number of threads.
@@ -48,8 +48,8 @@ struct RowLayout {
     r.end = piece + 1 < pieces ? r.begin + length : r.line_end;
     const int block_end = (number / rows_in_block + 1) * (rows_in_block / pieces) * line;
     r.owned_end = D == 1 || !kernels_on_host ? r.end
-                  : block_end < lattice.size     ? block_end
-                                                 : lattice.size;
+                  : block_end < lattice.size ? block_end
+                                             : lattice.size;
     lattice.coordinates(r.begin, r.base);
     return r;
   }

@@ -3,7 +3,6 @@
 // upon the other without a look at nodes that others still add to goes into one sweep, which works
 // on a row after the other while its particles lie in the nearest cache.
 #include <algorithm>
-#include <initializer_list>
 #include <memory>
 #include <string>
 #include <vector>
@@ -45,28 +44,14 @@ class Sweep {
     }
   }
 
-  /// Says that the stages look at columns of particles, whose next row is then on its way into the
-  /// cache while this one is worked on: short stretches of many columns are too much for what the
-  /// processor foresees by itself, and the step waits for memory a third longer.
-  void touch(const Array<int>& first, std::initializer_list<Table<double>> columns) {
-    for (const auto& column : columns) {
-      const auto known = std::find_if(touched_.begin(), touched_.end(), [&](const Touched& t) {
-        return t.column.data() == column.data();
-      });
-      if (known == touched_.end() && column.extent(1) > 0) touched_.push_back({first, column});
-    }
-  }
-
   /// Works on all rows and forgets the stages. Profilers see the names of all of them, apart by
   /// commas; what a second launch with " (2)" does belongs to the first.
   void run() {
     if (stages_.empty()) return;
     const std::string name = watched() ? names() : "sweep";
-    const auto work = [stages = &stages_, touched = &touched_, layout = layout_](int block) {
+    const auto work = [stages = &stages_, layout = layout_](int block) {
       const int end = std::min(layout.rows, (block + 1) * layout.rows_in_block);
       for (int k = block * layout.rows_in_block; k < end; ++k) {
-        if (k + 1 < end)
-          for (const Touched& t : *touched) t.fetch(layout.row(k + 1));
         const Row<D> row = layout.row(k);
         for (const auto& stage : *stages) (*stage)(row);
       }
@@ -82,7 +67,6 @@ class Sweep {
       Kokkos::parallel_for(name, Shared(0, layout_.blocks), work);
     }
     stages_.clear();
-    touched_.clear();
     colours_ = duplicates_ = false;
   }
 
@@ -116,21 +100,8 @@ class Sweep {
     KOKKOS_INLINE_FUNCTION void operator()(const Row<D>& row) const { f(row, scatter.access()); }
   };
 
-  struct Touched {
-    Array<int> first;
-    Table<double> column;
-    void fetch([[maybe_unused]] const Row<D>& row) const {
-#if defined(__GNUC__)
-      const int end = first(row.end);
-      for (std::size_t k = 0; k < column.extent(1); ++k)
-        for (int p = first(row.begin); p < end; p += Wide::lanes) __builtin_prefetch(&column(p, k));
-#endif
-    }
-  };
-
   RowLayout<D> layout_;
   std::vector<std::unique_ptr<Stage>> stages_;
-  std::vector<Touched> touched_;
   bool colours_ = false, duplicates_ = false;
 
   static bool watched() {

@@ -33,7 +33,9 @@ struct Linear {
   static constexpr int first_holding = 0, holding = 1;
   static constexpr int cells = 1;
   template <class T>
-  KOKKOS_FORCEINLINE_FUNCTION static void overlap(T, T, T (&w)[1]) { w[0] = 1; }
+  KOKKOS_FORCEINLINE_FUNCTION static void overlap(T, T, T (&w)[1]) {
+    w[0] = 1;
+  }
 };
 
 /// A hat smeared over the particle's own extent, half of which is `half`, at most half a cell.
@@ -53,9 +55,9 @@ struct Gimp {
     for (int k = 0; k < 3; ++k) {
       const T z = d - k, r = fabs(z), sign = select(z < T(0), T(-1), T(1));
       const auto at_top = r < half, on_flank = r < 1 - half, at_foot = r < 1 + half;
-      w[k] = select(at_top, 1 - (z * z + half * half) / (2 * half),
-                    select(on_flank, 1 - r,
-                           select(at_foot, square(1 + half - r) / (4 * half), T(0))));
+      w[k] =
+          select(at_top, 1 - (z * z + half * half) / (2 * half),
+                 select(on_flank, 1 - r, select(at_foot, square(1 + half - r) / (4 * half), T(0))));
       slope[k] = select(
           at_top, -z / half,
           select(on_flank, -sign, select(at_foot, -sign * (1 + half - r) / (2 * half), T(0))));

@@ -23,17 +23,16 @@ void permute(const Array<double>& from, const Array<int>& source, const Array<do
 }
 
 /// tiled <- sorted, a list of particles bin by bin, in the order of tiles; and their TileOrders.
-/// Says which stretch of particles is out of place.
+/// Says between which rows particles are out of place.
 template <int D>
 struct LayTiles {
   RowLayout<D> layout;
   Array<int> first, sorted, tiled;
   Array<TileOrder> order;
 
-  KOKKOS_INLINE_FUNCTION void operator()(const int k,
-                                         Kokkos::MinMaxScalar<int>& moved) const {
+  KOKKOS_INLINE_FUNCTION void operator()(const int k, Kokkos::MinMaxScalar<int>& moved) const {
     const Row<D> row = layout.row(k);
-    int number = k * Row<D>::tiles;
+    int number = k * Row<D>::tiles, differs = 0;
     for (int bin = row.begin; bin < row.end; bin += Wide::lanes, ++number) {
       int counts[Wide::lanes];
       bool falling = true;
@@ -43,18 +42,23 @@ struct LayTiles {
       }
       const TileOrder lanes = falling ? TileOrder{} : TileOrder::by(counts);
       order(number) = lanes;
+      int begin[Wide::lanes];
+      for (int lane = 0; lane < Wide::lanes; ++lane)
+        begin[lane] = counts[lanes[lane]] > 0 ? first(bin + lanes[lane]) : 0;
       int next = first(bin), present = Wide::lanes;
       for (int slot = 0; present > 0; ++slot) {
         while (present > 0 && counts[lanes[present - 1]] <= slot) --present;
         for (int lane = 0; lane < present; ++lane, ++next) {
-          const int source = sorted(first(bin + lanes[lane]) + slot);
+          const int source = sorted(begin[lane] + slot);
           tiled(next) = source;
-          if (source == next) continue;
-          moved.min_val = next < moved.min_val ? next : moved.min_val;
-          moved.max_val = next > moved.max_val ? next : moved.max_val;
+          differs |= source ^ next;
         }
       }
     }
+    const int begin = first(row.begin), end = first(row.end);
+    if (differs == 0 || begin == end) return;
+    moved.min_val = begin < moved.min_val ? begin : moved.min_val;
+    moved.max_val = end - 1 > moved.max_val ? end - 1 : moved.max_val;
   }
 };
 
@@ -127,11 +131,13 @@ int Sorter<G>::sort(Particles<G>& particles, const Lattice<G::dim>& lattice) {
 
   // Of a few that are out of place only the stretch between the first and the last is rewritten:
   // ahead of a blast nothing moves.
-  const int begin = moved.min_val, end = moved.max_val + 1;
   using Column = Array<double>;
+  const bool any = moved.min_val <= moved.max_val;
+  const int begin = any ? moved.min_val : 0, end = any ? moved.max_val + 1 : 0;
   if (end - begin > count / 2)
-    particles.rotate([&](const Column& from, const Column& to) { permute(from, tiled, to, 0, count); });
-  else if (end > begin)
+    particles.rotate(
+        [&](const Column& from, const Column& to) { permute(from, tiled, to, 0, count); });
+  else if (any)
     particles.each_slot([&](const Column& column, const Column& spare) {
       permute(column, tiled, spare, begin, end);
       const auto stretch = Kokkos::make_pair(begin, end);

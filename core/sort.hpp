@@ -9,17 +9,15 @@ namespace brisance {
 template <class G>
 class Sorter {
  public:
-  /// Sorts by the column `bin`, which it uses up, and counts the bins. Particles that have left the domain come to
-  /// stand behind the rest, from the new `count` on, where they can still be read; returns how many
-  /// they are.
+  /// Sorts by the column `bin`, which it uses up, and counts the bins. Particles that have left the
+  /// domain come to stand behind the rest, from the new `count` on, where they can still be read;
+  /// returns how many they are.
   int sort(Particles<G>& particles, const Lattice<G::dim>& lattice);
   /// The same, after it has found the bins.
   int sort(Particles<G>& particles, const Transfer<G>& transfer, const Lattice<G::dim>& lattice);
 
   /// Memory of the work arrays. [B]
-  std::size_t bytes() const {
-    return (source_.span() + counts_.span()) * sizeof(int);
-  }
+  std::size_t bytes() const { return (source_.span() + counts_.span()) * sizeof(int); }
 
  private:
   Array<int> source_;

@@ -26,6 +26,28 @@ struct Cut {
   }
 };
 
+/// Half the greatest length. [m]
+template <class G>
+double longest_of(const Particles<G>& points) {
+  constexpr int block = 1024;
+  double longest = 0;
+  Kokkos::parallel_reduce(
+      "longest particle", Kokkos::RangePolicy<Space>(0, (points.count + block - 1) / block),
+      KOKKOS_LAMBDA(const int k, double& most_so_far) {
+        Wide of_lanes;
+        int p = k * block;
+        const int end = p + block < points.count ? p + block : points.count;
+        for (; p + Wide::lanes <= end; p += Wide::lanes)
+          for (int d = 0; d < G::dim; ++d)
+            of_lanes = most(of_lanes, points.half_size(Bundle<true>{p}, d));
+        most_so_far = most(most_so_far, greatest(of_lanes));
+        for (; p < end; ++p)
+          for (int d = 0; d < G::dim; ++d) most_so_far = most(most_so_far, points.half_size(p, d));
+      },
+      Kokkos::Max<double>(longest));
+  return longest;
+}
+
 }  // namespace
 
 template <class G>
@@ -35,6 +57,7 @@ int split(Particles<G>& particles, const Lattice<G::dim>& lattice,
   const int count = particles.count;
   const Kokkos::RangePolicy<Space> over(0, count);
   const double longest = 0.5 * length * lattice.h;
+  if (!(longest_of(particles) > longest)) return 0;
   int added = 0;
   {
     const Cut<G> cut{particles, longest};
@@ -42,7 +65,6 @@ int split(Particles<G>& particles, const Lattice<G::dim>& lattice,
         "count parts", over,
         KOKKOS_LAMBDA(const int p, int& sum) { sum += cut.parts(cut.mask(p)) - 1; }, added);
   }
-  if (added == 0) return 0;
   particles.reserve(count + added);
 
   const Cut<G> cut{particles, longest};

@@ -69,16 +69,20 @@ struct Nodes {
   Nodes() = default;
   KOKKOS_FORCEINLINE_FUNCTION Nodes(const Table<double>& field, const Lattice<D>& lattice,
                                     const Tile& tile, int column = 0) {
-    for (int c = 0; c < C; ++c)
-      for (int k = 0; k < N::count; ++k)
-        value[c][k] = tile.read(field, column + c, N::offset(lattice, k));
+    tile.read_by([&](const auto& read) BRISANCE_INLINE {
+      for (int c = 0; c < C; ++c)
+        for (int k = 0; k < N::count; ++k)
+          value[c][k] = read(field, column + c, N::offset(lattice, k));
+    });
   }
 
   template <class To>
   KOKKOS_FORCEINLINE_FUNCTION void add_to(const To& to, const Lattice<D>& lattice, const Tile& tile,
                                           int column = 0) const {
-    for (int k = 0; k < N::count; ++k)
-      for (int c = 0; c < C; ++c) tile.add(to, column + c, N::offset(lattice, k), value[c][k]);
+    tile.add_by([&](const auto& add) BRISANCE_INLINE {
+      for (int k = 0; k < N::count; ++k)
+        for (int c = 0; c < C; ++c) add(to, column + c, N::offset(lattice, k), value[c][k]);
+    });
   }
 };
 
@@ -95,9 +99,7 @@ class Interpolant {
 
   KOKKOS_FORCEINLINE_FUNCTION Wide at(const At& at, int c) const { return sum(at, c, D); }
   /// Along direction d. [1/cell]
-  KOKKOS_FORCEINLINE_FUNCTION Wide slope(const At& at, int c, int d) const {
-    return sum(at, c, d);
-  }
+  KOKKOS_FORCEINLINE_FUNCTION Wide slope(const At& at, int c, int d) const { return sum(at, c, d); }
 
  private:
   Nodes<G, S, C> nodes_;
@@ -110,8 +112,7 @@ class Interpolant {
       Wide part;
       for (int i = 0; i < W; ++i)
         part += (d == 0 ? at.slope : at.w)[0][i] * nodes_.value[c][line * W + i];
-      for (int e = 1; e < D; ++e)
-        part *= (d == e ? at.slope : at.w)[e][line / power(W, e - 1) % W];
+      for (int e = 1; e < D; ++e) part *= (d == e ? at.slope : at.w)[e][line / power(W, e - 1) % W];
       all += part;
     }
     return all;

@@ -1,10 +1,11 @@
 #pragma once
 // Eight neighbouring bins of a row, one in each lane. The particles of a tile lie in memory as they
-// are worked on: the first of each bin, then the second of each, and so on, the bins in the order of
-// how many they hold. So the lanes that still have one are always the first, what eight particles
-// have of anything is read in one go, and sums over a bin never leave their lane. (Padding each bin
-// to the fullest would do without the order, but costs memory and time where a few cells are
-// crowded; bins one after the other leave four lanes of eight empty with four particles a cell.)
+// are worked on: the first of each bin, then the second of each, and so on, the bins in the order
+// of how many they hold. So the lanes that still have one are always the first, what eight
+// particles have of anything is read in one go, and sums over a bin never leave their lane.
+// (Padding each bin to the fullest would do without the order, but costs memory and time where a
+// few cells are crowded; bins one after the other leave four lanes of eight empty with four
+// particles a cell.)
 #include "core/wide.hpp"
 
 namespace brisance {
@@ -41,10 +42,21 @@ struct Bundle<false> {
     return Wide::of([&](int lane) { return lane < count ? column[first + lane] : 0; });
   }
   KOKKOS_FORCEINLINE_FUNCTION void write(double* column, const Wide& value) const {
-    if (room)
-      select(present(), value, Wide::read(column + first)).write(column + first);
-    else
-      for (int lane = 0; lane < count; ++lane) column[first + lane] = value[lane];
+    // In halves: blended with what stands behind them and written in one go, the next bundle, which
+    // reads there, would wait for the store, 10 ns each time.
+    double* to = column + first;
+    Wide rest = value;
+    if (count & 4) {
+      rest.write<4>(to);
+      rest = rest.permuted(Wide::digits(0x76547654));
+      to += 4;
+    }
+    if (count & 2) {
+      rest.write<2>(to);
+      rest = rest.permuted(Wide::digits(0x32323232));
+      to += 2;
+    }
+    if (count & 1) *to = rest[0];
   }
   KOKKOS_FORCEINLINE_FUNCTION Wide divisor(const Wide& value) const {
     return select(present(), value, 1);
@@ -62,16 +74,14 @@ struct TileOrder {
 
   /// The fullest bin first, of equal ones the first.
   KOKKOS_INLINE_FUNCTION static TileOrder by(const int (&counts)[Wide::lanes]) {
-    int place[Wide::lanes];
-    for (int i = 0; i < Wide::lanes; ++i) {
-      int k = i;
-      for (; k > 0 && counts[place[k - 1]] < counts[i]; --k) place[k] = place[k - 1];
-      place[k] = i;
-    }
+    int lane_of[Wide::lanes] = {};
+    for (int other = 0; other < Wide::lanes; ++other)
+      for (int b = 0; b < Wide::lanes; ++b)
+        lane_of[b] += counts[other] > counts[b] || (counts[other] == counts[b] && other < b);
     TileOrder order{0};
-    for (int k = 0; k < Wide::lanes; ++k) {
-      order.digits |= static_cast<std::uint64_t>(place[k]) << 4 * k;
-      order.digits |= static_cast<std::uint64_t>(k) << (32 + 4 * place[k]);
+    for (int b = 0; b < Wide::lanes; ++b) {
+      order.digits |= static_cast<std::uint64_t>(b) << 4 * lane_of[b];
+      order.digits |= static_cast<std::uint64_t>(lane_of[b]) << (32 + 4 * b);
     }
     return order;
   }
@@ -82,7 +92,7 @@ struct Tile {
   int first;      ///< particle
   int owned_end;  ///< end of the particles that nobody else works on
   TileOrder order;
-  bool whole;  ///< all eight bins are there, and their nodes lie in one line
+  bool whole;                        ///< all eight bins are there, and their nodes lie in one line
   std::int64_t counts[Wide::lanes];  ///< of particles, lane by lane
 
   /// Of the bins bin_ .. end, those before `inside` reach nodes of their own line only; `first_of`
@@ -94,10 +104,13 @@ struct Tile {
         owned_end(owned_end_),
         order(order_),
         whole(bin_ + Wide::lanes <= (end < inside ? end : inside)) {
-    std::int64_t in_bin[Wide::lanes];
-    for (int b = 0; b < Wide::lanes; ++b)
-      in_bin[b] = whole || bin + b < end ? first_of(bin + b + 1) - first_of(bin + b) : 0;
-    for (int lane = 0; lane < Wide::lanes; ++lane) counts[lane] = in_bin[order[lane]];
+    const int* const before = &first_of(bin);
+    std::int64_t in_bin[Wide::lanes] = {};
+    if (whole)
+      for (int b = 0; b < Wide::lanes; ++b) in_bin[b] = before[b + 1] - before[b];
+    else
+      for (int b = 0; bin + b < end; ++b) in_bin[b] = before[b + 1] - before[b];
+    Wide::permute(in_bin, order.bins(), counts);
   }
 
   KOKKOS_FORCEINLINE_FUNCTION bool empty() const { return counts[0] == 0; }
@@ -124,10 +137,24 @@ struct Tile {
   /// The number of each lane's bin, counted from the first.
   KOKKOS_FORCEINLINE_FUNCTION Wide digits() const { return Wide::count().permuted(order.bins()); }
 
-  /// What stands in a column of nodes at `offset` from each lane's bin.
-  KOKKOS_FORCEINLINE_FUNCTION Wide read(const Table<double>& field, int column, int offset) const {
-    if (whole) return Wide::read(&field(bin + offset, column)).permuted(order.bins());
-    return gather([&](int b) { return field(b + offset, column); });
+  /// Calls f(read) with read(field, column, offset): what stands in a column of nodes at `offset`
+  /// from each lane's bin.
+  template <class F>
+  KOKKOS_FORCEINLINE_FUNCTION void read_by(const F& f) const {
+    if (whole) {
+      const Wide::Flags bins = order.bins();
+      f([&](const Table<double>& field, int column, int offset)
+            BRISANCE_INLINE { return Wide::read(&field(bin + offset, column)).permuted(bins); });
+    } else {
+      f([&](const Table<double>& field, int column, int offset) {
+        return gather([&](int b) { return field(b + offset, column); });
+      });
+    }
+  }
+  KOKKOS_FORCEINLINE_FUNCTION Wide read(const Table<double>& field) const {
+    Wide value;
+    read_by([&](const auto& read) BRISANCE_INLINE { value = read(field, 0, 0); });
+    return value;
   }
   template <class F>
   KOKKOS_FORCEINLINE_FUNCTION Wide gather(const F& of_bin) const {
@@ -136,17 +163,31 @@ struct Tile {
     return Wide::read(values);
   }
 
-  /// Adds there; `to` is a table or what stands for one. Lanes without particles must have zeros.
-  template <class To>
-  KOKKOS_FORCEINLINE_FUNCTION void add(const To& to, int column, int offset,
-                                       const Wide& value) const {
-    if constexpr (std::is_same<To, Table<double>>::value) {
-      if (whole) {
-        double* there = &to(bin + offset, column);
-        (Wide::read(there) + value.permuted(order.lanes())).write(there);
-        return;
-      }
+  /// Calls f(add) with add(to, column, offset, value), which adds there; `to` is a table or what
+  /// stands for one. Lanes without particles must have zeros.
+  template <class F>
+  KOKKOS_FORCEINLINE_FUNCTION void add_by(const F& f) const {
+    if (whole) {
+      const Wide::Flags lanes = order.lanes();
+      f([&](const auto& to, int column, int offset, const Wide& value) BRISANCE_INLINE {
+        if constexpr (std::is_same<std::decay_t<decltype(to)>, Table<double>>::value) {
+          double* there = &to(bin + offset, column);
+          (Wide::read(there) + value.permuted(lanes)).write(there);
+        } else {
+          add_one_by_one(to, column, offset, value);
+        }
+      });
+    } else {
+      f([&](const auto& to, int column, int offset, const Wide& value) {
+        add_one_by_one(to, column, offset, value);
+      });
     }
+  }
+
+ private:
+  template <class To>
+  KOKKOS_INLINE_FUNCTION void add_one_by_one(const To& to, int column, int offset,
+                                             const Wide& value) const {
     for_lanes([&](int lane, int b) { to(b + offset, column) += value[lane]; });
   }
 };

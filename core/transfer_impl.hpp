@@ -22,7 +22,6 @@ class TransferBy final : public Transfer<G> {
   double affine_inertia(double h) const override { return S::affine_inertia * h * h; }
 
   void find_bins(Sweep<D>& in, const Particles<G>& points) const override {
-    in.touch(points.first, {points.position});
     const R rows{points, in.lattice()};
     in.add(
         "find bins", KOKKOS_LAMBDA(const Row<D>& row) { rows.find_bins(row); });
@@ -36,13 +35,11 @@ class TransferBy final : public Transfer<G> {
 
   void scatter_momentum(Sweep<D>& in, const Particles<G>& points,
                         const Accumulator& sums) const override {
-    in.touch(points.first, {points.position, points.velocity, points.mass, points.affine});
     in.add("scatter momentum", sums, ScatterMomentum<R>{{points, in.lattice()}});
   }
 
   void scatter_force(Sweep<D>& in, const Particles<G>& points, const Grid<G>& grid, Stress stress,
                      const Accumulator& sums) const override {
-    in.touch(points.first, {points.position, points.volume, points.acting});
     const R rows{points, in.lattice()};
     if (stress == Stress::pressure)
       in.add("scatter force", sums, ScatterForce<R, Stress::pressure>{rows, grid.scale});
@@ -52,7 +49,6 @@ class TransferBy final : public Transfer<G> {
 
   void gather_gradient(Sweep<D>& in, const Particles<G>& points,
                        const Table<double>& velocity) const override {
-    in.touch(points.first, {points.position, points.gradient});
     const R rows{points, in.lattice()};
     in.add(
         "gather gradient", KOKKOS_LAMBDA(const Row<D>& row) { rows.gradients(row, velocity); });
@@ -60,19 +56,16 @@ class TransferBy final : public Transfer<G> {
 
   void scatter_cells(Sweep<D>& in, const Particles<G>& points,
                      const Accumulator& sums) const override {
-    in.touch(points.first, {points.position, points.volume, points.gradient});
     in.add("scatter cells", sums, ScatterCells<R>{{points, in.lattice()}});
   }
 
   void scatter_overlap(Sweep<D>& in, const Particles<G>& points, int column,
                        const Accumulator& sums) const override {
-    in.touch(points.first, {points.position, points.volume});
     in.add("scatter overlap", sums, ScatterOverlap<R>{{points, in.lattice()}, column});
   }
 
   void accelerate(Sweep<D>& in, const Particles<G>& points, const Grid<G>& grid, int velocity_class,
                   double flip) const override {
-    in.touch(points.first, {points.position, points.velocity});
     const R rows{points, in.lattice()};
     const auto before = grid.before, after = grid.after, own = grid.own[velocity_class];
     in.add(
@@ -82,7 +75,6 @@ class TransferBy final : public Transfer<G> {
 
   void gradient_and_move(Sweep<D>& in, const Particles<G>& points, const Grid<G>& grid,
                          const Table<double>& velocity, double dt) const override {
-    in.touch(points.first, {points.position, points.gradient, points.extent});
     const R rows{points, in.lattice()};
     const auto after = grid.after;
     const Ends<D> ends(grid.lattice, grid.boundaries);
@@ -94,8 +86,6 @@ class TransferBy final : public Transfer<G> {
 
   void finish_midpoint(Sweep<D>& in, const Particles<G>& points, const Grid<G>& grid, Stress stress,
                        int velocity_class, double flip, double dt) const override {
-    in.touch(points.first, {points.position, points.velocity, points.gradient, points.mass, points.volume,
-                           points.acting, points.work, points.affine, points.extent});
     if (stress == Stress::pressure)
       in.add("finish midpoint", midpoint<Stress::pressure>(points, grid, velocity_class, flip, dt));
     else
@@ -105,20 +95,17 @@ class TransferBy final : public Transfer<G> {
 
   void scatter_mean(Sweep<D>& in, const Particles<G>& points, Entry value, Entry weight,
                     const Accumulator& sums) const override {
-    in.touch(points.first, {points.position, value.table, weight.table});
     in.add("scatter mean", sums, ScatterMeans<R, 1>{{points, in.lattice()}, value, weight});
   }
 
   void scatter_means(Sweep<D>& in, const Particles<G>& points, const Table<double>& values,
                      const Accumulator& sums) const override {
-    in.touch(points.first, {points.position, values});
     in.add("scatter means", sums,
            ScatterMeans<R, 3>{{points, in.lattice()}, {values}, {values, 3}});
   }
 
   void subtract_means(Sweep<D>& in, const Particles<G>& points, const Table<double>& field,
                       const Table<double>& values) const override {
-    in.touch(points.first, {points.position, values});
     const R rows{points, in.lattice()};
     in.add(
         "subtract means", KOKKOS_LAMBDA(const Row<D>& row) {
@@ -128,7 +115,6 @@ class TransferBy final : public Transfer<G> {
 
   void gather_scalar(Sweep<D>& in, const Particles<G>& points, Entry field, Entry value,
                      double keep, double factor) const override {
-    in.touch(points.first, {points.position, value.table});
     const R rows{points, in.lattice()};
     in.add(
         "gather scalar", KOKKOS_LAMBDA(const Row<D>& row) {

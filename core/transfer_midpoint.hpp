@@ -41,7 +41,7 @@ struct Midpoint {
       const typename R::Velocities middle(half);
       const Transferred transferred(mine, change);
       Wide fill = 1;
-      if constexpr (M::cells) fill = tile.read(scale, 0, 0);
+      if constexpr (M::cells) fill = tile.read(scale);
       Wide heat, mass;
       tile.for_bundles([&](const auto& b) BRISANCE_INLINE {
         const At at = rows.stencil(base, b);
@@ -49,8 +49,8 @@ struct Midpoint {
         const Wide m = points.get(points.mass, b);
         mass += m;
         heat += m * velocity(b, at, transferred);
-        const Wide power = contract(points.template sigma<kind>(points.acting, b),
-                                    strain_rate<G>(gradient));
+        const Wide power =
+            contract(points.template sigma<kind>(points.acting, b), strain_rate<G>(gradient));
         points.put(points.work, b, 0,
                    power * fill * points.get(points.volume, b) * dt / b.divisor(m));
         points.set_matrix(points.gradient, b, gradient);
@@ -114,8 +114,7 @@ struct Midpoint {
   /// APIC, of a tile: the velocities before, and before with the changes.
   struct Apic {
     Field mine, with_change;
-    KOKKOS_FORCEINLINE_FUNCTION Apic(const Field& at_nodes, const Field& changes)
-        : mine(at_nodes) {
+    KOKKOS_FORCEINLINE_FUNCTION Apic(const Field& at_nodes, const Field& changes) : mine(at_nodes) {
       for (int i = 0; i < D; ++i)
         for (int k = 0; k < nodes; ++k)
           with_change.value[i][k] = at_nodes.value[i][k] + changes.value[i][k];

@@ -126,7 +126,7 @@ struct Rows {
       if constexpr (M::cells) {
         Pull<kind> total;
         tile.for_bundles([&](const auto& b) BRISANCE_INLINE { total.add(points, b); });
-        total.act(sum, tile.read(scale, 0, 0) * Wide(lattice.per_h),
+        total.act(sum, tile.read(scale) * Wide(lattice.per_h),
                   [&](int k, int d) { return Wide(centre_gradient<G>(k, d)); });
       } else {
         tile.for_bundles([&](const auto& b) BRISANCE_INLINE {
@@ -217,7 +217,9 @@ struct Rows {
       Field<D> gain(after, lattice, tile);
       for (int d = 0; d < D; ++d)
         for (int k = 0; k < nodes; ++k) gain.value[d][k] -= v0.value[d][k];
-      const Smooth<D> change(gain), mine = smooth<D>(own, tile);
+      const Smooth<D> change(gain);
+      Smooth<D> mine;
+      if (drawn != 0) mine = smooth<D>(own, tile);
       tile.for_bundles([&](const auto& b) BRISANCE_INLINE {
         const At at = stencil(base, b);
         for (int i = 0; i < D; ++i) {
@@ -268,9 +270,10 @@ struct Rows {
             }
           }
       });
-      for (int k = 0; k < C::count; ++k)
-        for (int c = 0; c <= D; ++c)
-          tile.add(to, c, C::offset(lattice, k) + first_cell(), sum[c][k]);
+      tile.add_by([&](const auto& add) BRISANCE_INLINE {
+        for (int k = 0; k < C::count; ++k)
+          for (int c = 0; c <= D; ++c) add(to, c, C::offset(lattice, k) + first_cell(), sum[c][k]);
+      });
     });
   }
 
@@ -295,7 +298,9 @@ struct Rows {
           sum[k] += share;
         }
       });
-      for (int k = 0; k < C::count; ++k) tile.add(to, column, C::offset(lattice, k), sum[k]);
+      tile.add_by([&](const auto& add) BRISANCE_INLINE {
+        for (int k = 0; k < C::count; ++k) add(to, column, C::offset(lattice, k), sum[k]);
+      });
     });
   }
 

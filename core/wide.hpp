@@ -36,22 +36,22 @@ struct Wide {
     }
   };
   struct Values : Loop<double> {
-#define BRISANCE_LOOP(op)                                                                 \
+#define BRISANCE_LOOP(op)                                                                   \
   KOKKOS_FORCEINLINE_FUNCTION friend Values operator op(const Values& u, const Values& v) { \
-    Values w;                                                                             \
-    for (int i = 0; i < lanes; ++i) w[i] = u[i] op v[i];                                  \
-    return w;                                                                             \
+    Values w;                                                                               \
+    for (int i = 0; i < lanes; ++i) w[i] = u[i] op v[i];                                    \
+    return w;                                                                               \
   }
     BRISANCE_LOOP(+)
     BRISANCE_LOOP(-)
     BRISANCE_LOOP(*)
     BRISANCE_LOOP(/)
 #undef BRISANCE_LOOP
-#define BRISANCE_LOOP(op)                                                                \
+#define BRISANCE_LOOP(op)                                                                  \
   KOKKOS_FORCEINLINE_FUNCTION friend Flags operator op(const Values& u, const Values& v) { \
-    Flags w;                                                                             \
-    for (int i = 0; i < lanes; ++i) w[i] = u[i] op v[i] ? -1 : 0;                        \
-    return w;                                                                            \
+    Flags w;                                                                               \
+    for (int i = 0; i < lanes; ++i) w[i] = u[i] op v[i] ? -1 : 0;                          \
+    return w;                                                                              \
   }
     BRISANCE_LOOP(<)
     BRISANCE_LOOP(>)
@@ -77,7 +77,11 @@ struct Wide {
     std::memcpy(&w.v, from, sizeof(w.v));
     return w;
   }
-  KOKKOS_FORCEINLINE_FUNCTION void write(double* to) const { std::memcpy(to, &v, sizeof(v)); }
+  /// The first of them.
+  template <int count = lanes>
+  KOKKOS_FORCEINLINE_FUNCTION void write(double* to) const {
+    std::memcpy(to, &v, count * sizeof(double));
+  }
 
   /// As whole numbers, cut.
   KOKKOS_FORCEINLINE_FUNCTION void write_whole(int* to) const {
@@ -90,6 +94,17 @@ struct Wide {
     return __builtin_shuffle(v, which);
 #else
     return of([&](int lane) { return v[which[lane]]; });
+#endif
+  }
+  KOKKOS_FORCEINLINE_FUNCTION static void permute(const std::int64_t (&from)[lanes],
+                                                  const Flags& which, std::int64_t (&to)[lanes]) {
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDA_ARCH__)
+    Flags all;
+    std::memcpy(&all, from, sizeof(all));
+    all = __builtin_shuffle(all, which);
+    std::memcpy(to, &all, sizeof(all));
+#else
+    for (int lane = 0; lane < lanes; ++lane) to[lane] = from[which[lane]];
 #endif
   }
   /// The eight last digits of a number, base 16, the last in lane 0.
@@ -146,12 +161,8 @@ struct WideBool {
     return {a.flags | b.flags};
   }
 };
-KOKKOS_FORCEINLINE_FUNCTION WideBool operator<(const Wide& a, const Wide& b) {
-  return {a.v < b.v};
-}
-KOKKOS_FORCEINLINE_FUNCTION WideBool operator>(const Wide& a, const Wide& b) {
-  return {a.v > b.v};
-}
+KOKKOS_FORCEINLINE_FUNCTION WideBool operator<(const Wide& a, const Wide& b) { return {a.v < b.v}; }
+KOKKOS_FORCEINLINE_FUNCTION WideBool operator>(const Wide& a, const Wide& b) { return {a.v > b.v}; }
 
 KOKKOS_FORCEINLINE_FUNCTION double select(bool first, double a, double b) { return first ? a : b; }
 KOKKOS_FORCEINLINE_FUNCTION Wide select(const WideBool& first, const Wide& a, const Wide& b) {

@@ -106,14 +106,12 @@ struct Fluid : FluidState<Eos::burns> {
   KOKKOS_FORCEINLINE_FUNCTION ResponseOf<T> update(const StrainOf<T>& in, const SymOf<T>& old,
                                                    H& h) const {
     const double K = eos.shock_slope();
-    const T q =
-        shock.pressure(in.rho0, strength(in.rho0, h), speed_of_sound(in.rho0, h), K, in);
+    const T q = shock.pressure(in.rho0, strength(in.rho0, h), speed_of_sound(in.rho0, h), K, in);
     advance_burn(in, h);
     const SymOf<T> viscous = shear.stress_of(in.rate);
     const T viscous_pressure = q - trace(viscous) * (1. / 3), p0 = -trace(old) * (1. / 3),
             dv = in.volume_change;
-    const T shear_work =
-        contract(viscous, in.rate) - trace(viscous) * trace(in.rate) * (1. / 3);
+    const T shear_work = contract(viscous, in.rate) - trace(viscous) * trace(in.rate) * (1. / 3);
     h.energy = (h.energy -
                 (0.5 * (p0 + burned(h) * eos.offset(in.rho1)) +
                  (in.viscous_before ? 0.5 : 1) * viscous_pressure) *

@@ -20,44 +20,41 @@ class FluidGroup final : public MaterialGroup<G, M> {
   }
 
   void half_step(Sweep<D>& in, const Grid<G>& grid, double dt) override {
-    this->each(in, "half step", {&P::gradient, &P::position}, fluid_stages::HalfStep<G>{Around(grid), dt});
+    this->each(in, "half step", fluid_stages::HalfStep<G>{Around(grid), dt});
   }
 
   void finish(Sweep<D>& in, const Grid<G>& grid, double dt) override {
-    this->each(in, "strain", {&P::gradient}, fluid_stages::Strained<G>{Around(grid), dt});
+    this->each(in, "strain", fluid_stages::Strained<G>{Around(grid), dt});
     receive_energy(in, "receive energy");
   }
 
   void update(Sweep<D>& in, const Grid<G>& grid, double dt) override {
-    this->each(in, "update", {&P::gradient, &P::position},
-               fluid_stages::Update<G>{Around(grid), dt, this->scheme.printed_work});
+    this->each(in, "update", fluid_stages::Update<G>{Around(grid), dt, this->scheme.printed_work});
   }
 
   void correct_volume(Sweep<D>& in, double rate) override {
-    this->each(in, "correct volume", {&P::scratch}, fluid_stages::CorrectVolume{rate});
+    this->each(in, "correct volume", fluid_stages::CorrectVolume{rate});
   }
   void load_pressure(Sweep<D>& in) override {
-    this->each(in, "load pressure", {&P::scratch}, fluid_stages::LoadPressure{});
+    this->each(in, "load pressure", fluid_stages::LoadPressure{});
   }
   void propose_exchange(Sweep<D>& in, double rate, double dt) override {
-    this->each(in, "propose exchange", {&P::scratch},
-               fluid_stages::ProposeExchange{rate, dt, in.lattice().h});
+    this->each(in, "propose exchange", fluid_stages::ProposeExchange{rate, dt, in.lattice().h});
   }
   void exchange_volume(Sweep<D>& in) override {
-    this->each(in, "exchange volume", {&P::scratch}, fluid_stages::ExchangeVolume{});
+    this->each(in, "exchange volume", fluid_stages::ExchangeVolume{});
   }
   void exchange_energy(Sweep<D>& in) override {
-    this->each(in, "exchange energy", {&P::scratch, &P::work}, fluid_stages::ExchangeEnergy{});
+    this->each(in, "exchange energy", fluid_stages::ExchangeEnergy{});
     receive_energy(in, "receive exchange");
   }
   void load_heat(Sweep<D>& in, double rate, double dt) override {
-    this->each(in, "load heat", {&P::scratch, &P::gradient}, fluid_stages::LoadHeat{rate, dt});
+    this->each(in, "load heat", fluid_stages::LoadHeat{rate, dt});
   }
-  void conduct(Sweep<D>& in) override { this->each(in, "conduct", {&P::scratch}, fluid_stages::Conduct{}); }
+  void conduct(Sweep<D>& in) override { this->each(in, "conduct", fluid_stages::Conduct{}); }
 
  private:
   using typename MaterialGroup<G, M>::Around;
-  using typename MaterialGroup<G, M>::P;
   using typename MaterialGroup<G, M>::Point;
 
   /// Adds the work column [J/kg] to the energies and sets the stress. No energy falls below a fifth
@@ -66,13 +63,12 @@ class FluidGroup final : public MaterialGroup<G, M> {
   /// step that can: light gas beside heavy products lacks more than all of it holds.
   void receive_energy(Sweep<D>& in, const char* name) {
     if constexpr (!M::thermal) {
-      this->each(in, name, {&P::work}, fluid_stages::ReceiveWork{});
+      this->each(in, name, fluid_stages::ReceiveWork{});
       return;
     }
     const Point point = this->point();
     const auto owed = this->debt;
     const auto floors = this->floors_;
-    this->touch(in, {&P::work});
     static_assert(M::fields[0].member == &M::History::energy, "the first column is the energy");
     in.add(
         name, KOKKOS_LAMBDA(const Row<D>& row) {

@@ -104,8 +104,9 @@ struct ProposeExchange {
     using T = std::decay_t<decltype(pressure)>;
     const auto presses = pressure > T(0) && P::Law::relaxes(state);
     const T rho = point.rho(p), c = point.material.sound_speed(rho, state);
-    const T modulus = rho * c * c * smooth, most_z = 0.3 * least(T(1), point.mass(p) * state.energy /
-                                       select(presses, pressure * point.volume(p), T(1)));
+    const T modulus = rho * c * c * smooth,
+            most_z = 0.3 * least(T(1), point.mass(p) * state.energy /
+                                           select(presses, pressure * point.volume(p), T(1)));
     const T z = least(T(1), c * (rate * dt / h)) * (pressure - smooth) * pressure /
                 select(presses, modulus, T(1));
     point.set_scratch(p, 1, select(presses, clamp(z, -most_z, most_z), T(0)));
@@ -144,7 +145,8 @@ struct LoadHeat {
     const auto h = point.load(p);
     using T = std::decay_t<decltype(h.energy)>;
     const T compression = -trace(point.rate(p));
-    const T share = select(P::Law::relaxes(h), compression * (P::Law::conducts ? rate * dt : 0), T(0));
+    const T share =
+        select(P::Law::relaxes(h), compression * (P::Law::conducts ? rate * dt : 0), T(0));
     point.set_scratch(p, 0, h.energy);
     point.set_scratch(p, 1, point.mass(p) * clamp(share, T(0), T(0.5)));
   }

@@ -52,7 +52,6 @@ class MaterialGroup : public Group<G> {
 
   void find_signals(Sweep<D>& in) override {
     make_room_for_signals(in.rows());
-    touch(in, {&P::velocity, &P::gradient});
     const Point point = this->point();
     const double strain_length = this->scheme.strain_length, h = in.lattice().h;
     const auto of_rows = signals_;
@@ -68,8 +67,9 @@ class MaterialGroup : public Group<G> {
             for (int d = 0; d < D; ++d)
               v = most(v, fabs(point.particles.get(point.particles.velocity, p, d)));
             in_matter = most(in_matter, greatest(finite(signal)));
-            over_grid = most(over_grid, greatest(finite(most(
-                                            v + signal, T(strain_length) * fabs(trace(rate))))));
+            over_grid =
+                most(over_grid,
+                     greatest(finite(most(v + signal, T(strain_length) * fabs(trace(rate))))));
           });
           of_rows(row.number, 0) = over_grid;
           of_rows(row.number, 1) = in_matter;
@@ -117,22 +117,11 @@ class MaterialGroup : public Group<G> {
     return Kokkos::RangePolicy<Space>(0, this->particles.count);
   }
 
-  using P = Particles<G>;
-  /// Which columns a stage looks at beyond mass, volume, stress and history.
-  using Columns = std::initializer_list<Table<double> P::*>;
-
-  void touch(Sweep<D>& in, Columns more) const {
-    const P& p = this->particles;
-    in.touch(p.first, {p.mass, p.volume, p.stress, p.history});
-    for (const auto column : more) in.touch(p.first, {p.*column});
-  }
-
   /// A stage that does f(point, p) for each particle, p being one of them or, where the law is
   /// wide, a bundle; what it does to one does not concern another.
   template <class F>
-  void each(Sweep<D>& in, const char* name, Columns more, const F& f) {
+  void each(Sweep<D>& in, const char* name, const F& f) {
     const Point point = this->point();
-    touch(in, more);
     in.add(
         name, KOKKOS_LAMBDA(const Row<D>& row) {
           point.each(row, [&](const auto& p) BRISANCE_INLINE { f(point, p); });

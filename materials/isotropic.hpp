@@ -39,8 +39,8 @@ KOKKOS_FORCEINLINE_FUNCTION SymOf<T> with_deviator_scaled(const SymOf<T>& a, con
 /// J2 = dev(a) : dev(a) / 2.
 template <class T>
 KOKKOS_FORCEINLINE_FUNCTION T second_invariant(const SymOf<T>& a) {
-  return (square(a[0] - a[1]) + square(a[1] - a[2]) + square(a[2] - a[0])) * (1. / 6) + square(a[3]) +
-         square(a[4]) + square(a[5]);
+  return (square(a[0] - a[1]) + square(a[1] - a[2]) + square(a[2] - a[0])) * (1. / 6) +
+         square(a[3]) + square(a[4]) + square(a[5]);
 }
 
 /// The unit vector in the xy plane along which a tensor is largest. Where all directions are alike,

@@ -11,7 +11,8 @@ namespace brisance {
 /// An equation of state, linear in the specific energy at a given density: p = offset(rho) +
 /// slope(rho) e. It says, too, whether that depends on the energy at all (where it does not, the
 /// energy is a ledger and the pressure may be a tension), whether the matter burns, whether it is
-/// written for eight points, too (materials/material.hpp), how much of the scheme's volume relaxation it takes and whether it takes part in conduction.
+/// written for eight points, too (materials/material.hpp), how much of the scheme's volume
+/// relaxation it takes and whether it takes part in conduction.
 struct PerfectGas {
   static constexpr const char* name = "perfect gas";
   static constexpr bool thermal = true, burns = false, wide = true;

@@ -154,7 +154,15 @@ struct MaterialPoint {
     return around.smoothness(around.lattice.cell_of(particles.x(p)), 0);
   }
   KOKKOS_FORCEINLINE_FUNCTION Wide smoothness(const Full& b, const Surroundings<G>& around) const {
-    return Wide::of([&](int lane) { return smoothness(b.first + lane, around); });
+    const Lattice<G::dim>& lattice = around.lattice;
+    Wide cell;
+    for (int d = 0; d < G::dim; ++d) {
+      const Wide at = (particles.get(particles.position, b, d) - lattice.origin[d]) * lattice.per_h;
+      cell += (clamp(floor(at), 0, lattice.cells[d] - 1) + lattice.halo) * lattice.stride[d];
+    }
+    int number[Wide::lanes];
+    cell.write_whole(number);
+    return Wide::of([&](int lane) { return around.smoothness(number[lane], 0); });
   }
 };
 

@@ -35,8 +35,8 @@ struct Finish {
     if (midpoint)
       h.energy += point.work(p);
     else
-      h.energy += 0.5 * dt / strain.rho0 *
-                  (contract(old, strain.rate) + contract(r.stress, strain.rate));
+      h.energy +=
+          0.5 * dt / strain.rho0 * (contract(old, strain.rate) + contract(r.stress, strain.rate));
     point.set_volume(p, point.volume(p) * strain.growth);
     point.set_stress(p, r.stress);
     point.save(p, h);
@@ -79,25 +79,24 @@ class SolidGroup final : public MaterialGroup<G, M> {
   void start() override {}
 
   void half_step(Sweep<D>& in, const Grid<G>& grid, double dt) override {
-    this->each(in, "half step of solid", {&P::gradient, &P::acting}, solid_stages::HalfStep<G>{Around(grid), dt});
+    this->each(in, "half step of solid", solid_stages::HalfStep<G>{Around(grid), dt});
   }
   void finish(Sweep<D>& in, const Grid<G>& grid, double dt) override {
-    this->each(in, "finish solid", {&P::gradient, &P::work}, solid_stages::Finish<G>{Around(grid), dt, true});
+    this->each(in, "finish solid", solid_stages::Finish<G>{Around(grid), dt, true});
   }
   void update(Sweep<D>& in, const Grid<G>& grid, double dt) override {
-    this->each(in, "update solid", {&P::gradient}, solid_stages::Finish<G>{Around(grid), dt, false});
+    this->each(in, "update solid", solid_stages::Finish<G>{Around(grid), dt, false});
   }
   void load_stress(Sweep<D>& in) override {
-    this->each(in, "load stress", {&P::scratch}, solid_stages::LoadStress{});
+    this->each(in, "load stress", solid_stages::LoadStress{});
   }
   void relax_stress(Sweep<D>& in, double dt) override {
     const double rate = this->scheme.stress_relaxation * dt / in.lattice().h;
-    this->each(in, "relax stress", {&P::scratch}, solid_stages::RelaxStress{rate});
+    this->each(in, "relax stress", solid_stages::RelaxStress{rate});
   }
 
  private:
   using typename MaterialGroup<G, M>::Around;
-  using typename MaterialGroup<G, M>::P;
 };
 
 }  // namespace brisance

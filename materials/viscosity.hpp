@@ -93,7 +93,8 @@ struct ShockViscosity {
   /// What viscosity adds to the speed of signals, b in dt = CFL h / (|v| + b + sqrt(b^2 + c^2)).
   /// [m/s]
   template <class T>
-  KOKKOS_FORCEINLINE_FUNCTION T speed(const T& c, double K, const Same<T>& divergence, double h) const {
+  KOKKOS_FORCEINLINE_FUNCTION T speed(const T& c, double K, const Same<T>& divergence,
+                                      double h) const {
     const double quadratic = (form == Form::kurapatenko ? c0 * K : c0) * h;
     return select(divergence < T(0), c1 * c - quadratic * divergence, ce * c);
   }

@@ -34,7 +34,8 @@ struct VonMises : Plastic {
     const auto sound = h.plastic_strain < T(failure);
     const auto yields = q2 > square(limit) && sound, opens = mean > T(cut_off);
     if (!any(yields || opens || !sound)) return r;
-    const T q = select(yields, sqrt(q2), limit), slip = (q - limit) * (1 / (3 * intact.G + hardening));
+    const T q = select(yields, sqrt(q2), limit),
+            slip = (q - limit) * (1 / (3 * intact.G + hardening));
     h.plastic_strain += slip;
     r.stress = with_deviator_scaled(trial, select(yields, (limit + hardening * slip) / q, T(1)));
     // Slip may have used up the strength: then, too, it is what counts from here on.

@@ -98,7 +98,7 @@ TEST(Cost, OfBalancedInThePlaneIsThis) {
                        "limit cells",
                        // the midpoint
                        "half step", "scatter force", "move grid", "finish midpoint", "strain",
-                       "receive energy", "count parts",
+                       "receive energy", "longest particle",
                        // relaxations
                        "scatter mean", "gather scalar", "nodal mean", "fullness", "correct volume",
                        "load pressure", "propose exchange", "exchange volume", "exchange energy",
@@ -159,7 +159,7 @@ TEST(Cost, OfWhatIsNotAskedForIsNothing) {
   }
 
   const Cost whole = without({"scheme/split length=0"});
-  EXPECT_EQ(all.names() - whole.names() - permuting, Names{"count parts"});
+  EXPECT_EQ(all.names() - whole.names() - permuting, Names{"longest particle"});
   EXPECT_EQ(all.bytes() - whole.bytes(), 16);  // extents
 
   EXPECT_EQ(all.names() - without({"scheme/heat conduction=0"}).names() - permuting,
@@ -219,7 +219,7 @@ TEST(Cost, OfSplittingIsPaidWhenItHappens) {
   const auto simulation =
       make_simulation(test::scene(1, {"bodies/first/particles per cell=1"}), nullptr);
   const auto kernels = kernels_of([&] { simulation->advance(1); });
-  for (const char* kernel : {"count parts", "place parts", "copy parts", "lay out parts"})
+  for (const char* kernel : {"longest particle", "place parts", "copy parts", "lay out parts"})
     EXPECT_EQ(kernels.count(kernel), 1u) << kernel;
   EXPECT_EQ(simulation->particle_count(), 10 * 2 + 10 * 3);
 }

@@ -12,7 +12,9 @@ template <class S>
 struct Weights {
   int base;
   double d, w[S::width], slope[S::width];
-  Weights(double xi, double half) : base(static_cast<int>(S::base(xi))), d(xi - base) { S::at(d, half, w, slope); }
+  Weights(double xi, double half) : base(static_cast<int>(S::base(xi))), d(xi - base) {
+    S::at(d, half, w, slope);
+  }
 
   /// sum over nodes of w f(node).
   template <class F>
