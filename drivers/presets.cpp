@@ -41,7 +41,6 @@ Preset preset(const std::string& name, int dim, bool solids_meet_fluids) {
     p.shape = "quadratic";
     p.transfer = "MLS";
     p.quadrature = "particle";
-    p.cfl = 0.4;
     return p;
   }
   throw std::logic_error("no preset '" + name + "'");
