@@ -147,14 +147,13 @@ struct Rows {
     Wide s[count];
 
     template <class Bundle>
-    KOKKOS_FORCEINLINE_FUNCTION void add(const Particles<G>& points, const Bundle& b) {
-      const Wide v = points.get(points.volume, b);
+    KOKKOS_FORCEINLINE_FUNCTION void add(const Particles<G>& of, const Bundle& b) {
+      const Wide v = of.get(of.volume, b);
       if constexpr (kind == Stress::pressure)
-        s[0] -= v * points.get(points.acting, b);
+        s[0] -= v * of.get(of.acting, b);
       else
         for (int i = 0; i < D; ++i)
-          for (int j = 0; j < D; ++j)
-            s[i * D + j] += v * points.get(points.acting, b, Sym3::at(i, j));
+          for (int j = 0; j < D; ++j) s[i * D + j] += v * of.get(of.acting, b, Sym3::at(i, j));
     }
 
     template <class Gradient>
