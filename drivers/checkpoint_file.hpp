@@ -11,7 +11,7 @@ namespace brisance {
 
 /// What a checkpoint tells of itself.
 struct CheckpointHead {
-  std::int64_t format = 1;
+  std::int64_t format = 2;
   std::string program, commit;  ///< that wrote it
   std::string scene, title;
   std::int64_t step = 0, threads = 1;
