@@ -42,18 +42,16 @@ struct LayTiles {
       }
       const TileOrder lanes = falling ? TileOrder{} : TileOrder::by(counts);
       order(number) = lanes;
-      int begin[Wide::lanes];
-      for (int lane = 0; lane < Wide::lanes; ++lane)
-        begin[lane] = counts[lanes[lane]] > 0 ? first(bin + lanes[lane]) : 0;
-      int next = first(bin), present = Wide::lanes;
-      for (int slot = 0; present > 0; ++slot) {
-        while (present > 0 && counts[lanes[present - 1]] <= slot) --present;
-        for (int lane = 0; lane < present; ++lane, ++next) {
-          const int source = sorted(begin[lane] + slot);
-          tiled(next) = source;
-          differs |= source ^ next;
+      const Tile tile(first, bin, row.end, row.line_end, lanes, first(row.end));
+      int next[Wide::lanes] = {};
+      tile.for_lanes([&](int lane, int b) { next[lane] = first(b); });
+      tile.for_bundles([&](const auto& bundle) {
+        for (int lane = 0; lane < bundle.size(); ++lane) {
+          const int place = bundle.first + lane, source = sorted(next[lane]++);
+          tiled(place) = source;
+          differs |= source ^ place;
         }
-      }
+      });
     }
     const int begin = first(row.begin), end = first(row.end);
     if (differs == 0 || begin == end) return;

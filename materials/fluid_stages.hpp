@@ -48,16 +48,7 @@ struct Update {
     if (printed_work) strain.volume_change = trace(strain.rate) * dt / strain.rho1;
     auto h = point.load(p);
     const auto r = point.material.update(strain, point.stress(p), h);
-    point.set_volume(p, point.volume(p) * strain.growth);
-    point.set_stress(p, r.stress);
-    point.save(p, h);
-  }
-};
-
-struct Refresh {
-  template <class P, class I>
-  KOKKOS_FORCEINLINE_FUNCTION void operator()(const P& point, const I& p) const {
-    point.refresh(p);
+    point.finish(p, strain, r, h);
   }
 };
 

@@ -119,6 +119,14 @@ struct MaterialPoint {
   KOKKOS_FORCEINLINE_FUNCTION void refresh(const I& p) const {
     set_stress(p, material.state(rho(p), load(p)).stress);
   }
+  /// The state at the end of a step.
+  template <class I, class T, class H>
+  KOKKOS_FORCEINLINE_FUNCTION void finish(const I& p, const StrainOf<T>& in, const ResponseOf<T>& r,
+                                          const H& h) const {
+    set_volume(p, volume(p) * in.growth);
+    set_stress(p, r.stress);
+    save(p, h);
+  }
   /// 1 + tr D dt (A.16), bounded where a step overshoots; see largest volume change in the time
   /// step.
   template <class T>

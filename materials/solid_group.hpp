@@ -37,9 +37,7 @@ struct Finish {
     else
       h.energy +=
           0.5 * dt / strain.rho0 * (contract(old, strain.rate) + contract(r.stress, strain.rate));
-    point.set_volume(p, point.volume(p) * strain.growth);
-    point.set_stress(p, r.stress);
-    point.save(p, h);
+    point.finish(p, strain, r, h);
   }
 };
 
@@ -47,9 +45,9 @@ struct LoadStress {
   template <class P, class I>
   KOKKOS_FORCEINLINE_FUNCTION void operator()(const P& point, const I& p) const {
     const auto stress = point.stress(p);
-    const auto volume = point.volume(p);
+    using T = decltype(point.volume(p));
     for (int k = 0; k < 3; ++k) point.set_scratch(p, k, stress[k]);
-    point.set_scratch(p, 3, P::Law::whole(point.load(p)) ? volume : 0 * volume);
+    point.set_scratch(p, 3, P::Law::whole(point.load(p)) ? point.volume(p) : T(0));
   }
 };
 
