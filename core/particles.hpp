@@ -99,6 +99,10 @@ struct Particles {
                                               int k = 0) {
     return b.read(&column(0, k));
   }
+  /// Asks the memory for what stands in all columns of a table `ahead` particles further on.
+  KOKKOS_FORCEINLINE_FUNCTION static void ask_for(const Table<double>& table, const Bundle<true>& b, int ahead) {
+    for (int k = 0; k < static_cast<int>(table.extent(1)); ++k) prefetch(&table(b.first, k) + ahead);
+  }
   KOKKOS_FORCEINLINE_FUNCTION static void put(const Table<double>& column, int p, int k,
                                               double value) {
     column(p, k) = value;

@@ -65,13 +65,15 @@ KOKKOS_INLINE_FUNCTION constexpr int power(int base, int exponent) {
   return exponent == 0 ? 1 : base * power(base, exponent - 1);
 }
 
-/// A vector of D components.
-template <int D>
-struct Vec {
-  double a[D] = {};
-  KOKKOS_INLINE_FUNCTION double& operator[](int i) { return a[i]; }
-  KOKKOS_INLINE_FUNCTION double operator[](int i) const { return a[i]; }
+/// A vector of D components. T is here and below one number or several (core/wide.hpp).
+template <class T, int D>
+struct VecOf {
+  T a[D] = {};
+  KOKKOS_FORCEINLINE_FUNCTION T& operator[](int i) { return a[i]; }
+  KOKKOS_FORCEINLINE_FUNCTION T operator[](int i) const { return a[i]; }
 };
+template <int D>
+using Vec = VecOf<double, D>;
 
 template <int D>
 KOKKOS_INLINE_FUNCTION double dot(const Vec<D>& u, const Vec<D>& v) {
@@ -80,8 +82,7 @@ KOKKOS_INLINE_FUNCTION double dot(const Vec<D>& u, const Vec<D>& v) {
   return sum;
 }
 
-/// A D x D matrix, row by row; as a velocity gradient L, L(i, j) = d v_i / d x_j. T is one number
-/// or several (core/wide.hpp).
+/// A D x D matrix, row by row; as a velocity gradient L, L(i, j) = d v_i / d x_j.
 template <class T, int D>
 struct MatOf {
   T a[D * D] = {};

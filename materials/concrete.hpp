@@ -14,33 +14,37 @@ struct Concrete : Solid {
   static constexpr const char* name = "concrete";
   static constexpr bool directed = true;
 
-  struct History {
-    double energy = 0;
-    double crack_density = 0, damage = 0;
-    double peak_rate = 0;  ///< largest rate of volume in tension so far
-    double lambda = 0;     ///< share of decohesion
-    double normal_x = 0, normal_y = 0;
-    double strength = 0;           ///< of the plane in tension at onset; 0: there is none
-    double opening = 0, slip = 0;  ///< path of the faces away from and along each other
-    double plastic_strain = 0;
-    double plastic_work = 0, damage_work = 0, decohesion_work = 0;
+  template <class T>
+  struct HistoryOf {
+    T energy = 0;
+    T crack_density = 0, damage = 0;
+    T peak_rate = 0;  ///< largest rate of volume in tension so far
+    T lambda = 0;     ///< share of decohesion
+    T normal_x = 0, normal_y = 0;
+    T strength = 0;           ///< of the plane in tension at onset; 0: there is none
+    T opening = 0, slip = 0;  ///< path of the faces away from and along each other
+    T plastic_strain = 0;
+    T plastic_work = 0, damage_work = 0, decohesion_work = 0;
   };
+  using History = HistoryOf<double>;
   static constexpr int field_count = 14;
-  static constexpr Field<History> fields[field_count] = {
-      {"energy", "J/kg", &History::energy},
-      {"crack density", "-", &History::crack_density},
-      {"damage", "-", &History::damage},
-      {"peak rate", "1/s", &History::peak_rate},
-      {"decohesion", "-", &History::lambda},
-      {"normal x", "-", &History::normal_x},
-      {"normal y", "-", &History::normal_y},
-      {"strength", "Pa", &History::strength},
-      {"opening", "m", &History::opening},
-      {"slip", "m", &History::slip},
-      {"plastic strain", "-", &History::plastic_strain},
-      {"plastic work", "J/kg", &History::plastic_work},
-      {"damage work", "J/kg", &History::damage_work},
-      {"decohesion work", "J/kg", &History::decohesion_work}};
+  template <class T>
+  static constexpr Field<HistoryOf<T>, T> fields_of[field_count] = {
+      {"energy", "J/kg", &HistoryOf<T>::energy},
+      {"crack density", "-", &HistoryOf<T>::crack_density},
+      {"damage", "-", &HistoryOf<T>::damage},
+      {"peak rate", "1/s", &HistoryOf<T>::peak_rate},
+      {"decohesion", "-", &HistoryOf<T>::lambda},
+      {"normal x", "-", &HistoryOf<T>::normal_x},
+      {"normal y", "-", &HistoryOf<T>::normal_y},
+      {"strength", "Pa", &HistoryOf<T>::strength},
+      {"opening", "m", &HistoryOf<T>::opening},
+      {"slip", "m", &HistoryOf<T>::slip},
+      {"plastic strain", "-", &HistoryOf<T>::plastic_strain},
+      {"plastic work", "J/kg", &HistoryOf<T>::plastic_work},
+      {"damage work", "J/kg", &HistoryOf<T>::damage_work},
+      {"decohesion work", "J/kg", &HistoryOf<T>::decohesion_work}};
+  static constexpr const auto& fields = fields_of<double>;
 
   /// Where sqrt(J2) is held below k of the cone though the mean stress is tensile.
   enum class ShearLimit { none, before_onset, always };
@@ -58,16 +62,21 @@ struct Concrete : Solid {
 
   KOKKOS_INLINE_FUNCTION History initial(double, double, bool) const { return {}; }
 
-  KOKKOS_INLINE_FUNCTION static bool whole(const History& h) { return !(h.strength > 0); }
+  template <class H>
+  KOKKOS_FORCEINLINE_FUNCTION static auto whole(const H& h) {
+    return !(h.strength > Number<H>(0));
+  }
 
   /// The normal of the plane turns with the matter by R.
-  KOKKOS_INLINE_FUNCTION static void rotate(History& h, const Mat<3>& R) {
-    const double x = R(0, 0) * h.normal_x + R(0, 1) * h.normal_y,
-                 y = R(1, 0) * h.normal_x + R(1, 1) * h.normal_y;
-    const double length = sqrt(square(x) + square(y));
-    if (!(length > 0)) return;
-    h.normal_x = x / length;
-    h.normal_y = y / length;
+  template <class T>
+  KOKKOS_FORCEINLINE_FUNCTION static void rotate(HistoryOf<T>& h, const MatOf<T, 3>& R) {
+    const T x = R(0, 0) * h.normal_x + R(0, 1) * h.normal_y,
+            y = R(1, 0) * h.normal_x + R(1, 1) * h.normal_y, length2 = square(x) + square(y);
+    const auto has = length2 > T(0);
+    if (!any(has)) return;
+    const T per_length = 1 / sqrt(select(has, length2, T(1)));
+    h.normal_x = x * per_length;
+    h.normal_y = y * per_length;
   }
 
   KOKKOS_INLINE_FUNCTION Energies energies(const Sym3& sigma, double rho, const History& h) const {
@@ -79,25 +88,17 @@ struct Concrete : Solid {
     return e;
   }
 
-  KOKKOS_INLINE_FUNCTION Response update(const Strain& in, const Sym3& old, History& h) const {
-    const Sym3 de = increment(in);
-    const Isotropic start = moduli(h, trace(old));
-    const double volume = trace(old) / (3 * start.K) + trace(de);  // elastic, of the trial
-    Response r;
+  template <class T>
+  KOKKOS_FORCEINLINE_FUNCTION ResponseOf<T> update(const StrainOf<T>& in, const SymOf<T>& old,
+                                              HistoryOf<T>& h) const {
+    PathOf<T> path{old, increment(in), moduli(h, trace(old))};
+    const T volume = trace(old) / (3 * path.moduli.K) + trace(path.de);  // elastic, of the trial
+    const auto stretches = whole(h) && !(volume < T(0));
+    ResponseOf<T> r;
     r.sound_speed = speed(in.rho1);
-    if (h.strength > 0) {
-      r.stress = part(in, old, de, start, volume, h);
-    } else if (volume < 0) {
-      const Isotropic now = recovers ? moduli(h, volume) : start;
-      const Sym3 trial = tried(old, de, start, now, volume);
-      r.stress = trial;
-      if (cone.bring_back(now, r.stress, h.plastic_strain)) {
-        h.plastic_work +=
-            plastic_work(now, middle(old, r.stress), added(trial, -1, r.stress)) / in.rho0;
-      }
-    } else {
-      r.stress = stretch(in, old, de, start, volume, h);
-    }
+    if (any(stretches)) r.stress = stretch(in, stretches, path, h);
+    const auto rest = !stretches || !whole(h);
+    if (any(rest)) r.stress = select(rest, bounded(in, rest, path, volume, h), r.stress);
     return r;
   }
 
@@ -105,155 +106,195 @@ struct Concrete : Solid {
   /// Damage stops short of leaving nothing, so that a stress always has its strain.
   static constexpr double largest_crack_density = 9. / 16 * (1 - 1e-6);
 
-  /// Moduli of the damaged matter for a mean stress of that sign.
-  KOKKOS_INLINE_FUNCTION Isotropic moduli(const History& h, double sign) const {
-    if (!(h.crack_density > 0)) return intact;
-    Isotropic now = damage.at(h.crack_density).moduli;
-    if (recovers && sign < 0) now.K = intact.K;
-    return now;
-  }
+  /// An increment of strain from a state of stress.
+  template <class T>
+  struct PathOf {
+    SymOf<T> stress, de;
+    IsotropicOf<T> moduli;  ///< at its start
+  };
 
-  /// Elastic from `old` with the bulk modulus that belongs to the sign of the new volume strain.
-  KOKKOS_INLINE_FUNCTION static Sym3 tried(const Sym3& old, const Sym3& de, const Isotropic& start,
-                                           const Isotropic& now, double volume) {
-    Sym3 s = added(old, 1, start.stress(de));
-    if (start.K == now.K) return s;
-    const double change = now.K * volume - trace(s) / 3;
-    for (int k = 0; k < 3; ++k) s[k] += change;
-    return s;
+  /// Moduli of the damaged matter for a mean stress of that sign.
+  template <class T>
+  KOKKOS_FORCEINLINE_FUNCTION IsotropicOf<T> moduli(const HistoryOf<T>& h, const T& sign) const {
+    const auto damaged = h.crack_density > T(0);
+    if (!any(damaged)) return {intact.K, intact.G};
+    const IsotropicOf<T> now = damage.at(h.crack_density).moduli;
+    const auto softer = damaged && !(T(recovers ? 1 : 0) * sign < T(0));
+    return {select(softer, now.K, T(intact.K)), select(damaged, now.G, T(intact.G))};
   }
 
   KOKKOS_INLINE_FUNCTION DruckerPragerCone shear_only() const { return {0, 0, cone.k}; }
 
   /// Where a stretch has come to at some share of its increment.
-  struct Stretched {
-    double Cd = 0;
-    TensileDamage::State state;
-    Sym3 trial, stress;         ///< before and after the limit of shear
-    double plastic_strain = 0;  ///< with what the limit adds
-    Vec<2> n;                   ///< of the major principal strain
-    bool localised = false;     ///< damage grows and the strain can localise across n
+  template <class T>
+  struct StretchedOf {
+    T Cd = 0;
+    TensileDamage::StateOf<T> state;
+    SymOf<T> trial, stress;       ///< before and after the limit of shear
+    T plastic_strain = 0;         ///< with what the limit adds
+    Truth<T> localised = Truth<T>{};  ///< damage grows and the strain can localise across the major
+                                  ///< principal one
   };
 
-  KOKKOS_INLINE_FUNCTION Stretched stretched(const Sym3& strain, double rate,
-                                             const History& h) const {
-    Stretched s;
-    const double volume = trace(strain);
-    const double Cd = volume > 0 ? damage.crack_density(strain_share * volume, rate) : 0;
-    const bool grows = Cd > h.crack_density;
-    s.Cd = grows ? least(Cd, largest_crack_density) : h.crack_density;
+  template <class T>
+  KOKKOS_INLINE_FUNCTION StretchedOf<T> stretched(const SymOf<T>& strain, const T& rate,
+                                                  const Truth<T>& wanted, const T& crack_density,
+                                                  const T& plastic_strain) const {
+    StretchedOf<T> s;
+    const T volume = trace(strain);
+    const T Cd = damage.crack_density(strain_share * most(volume, T(0)), rate);
+    const auto grows = wanted && Cd > crack_density;
+    s.Cd = select(grows, least(Cd, T(largest_crack_density)), crack_density);
     s.state = damage.at(s.Cd);
     s.trial = s.stress = s.state.moduli.stress(strain);
-    s.plastic_strain = h.plastic_strain;
-    if (shear_limit != ShearLimit::none) {
-      shear_only().bring_back(s.state.moduli, s.stress, s.plastic_strain);
-    }
-    if (!grows) return s;
-    s.n = major_direction(s.stress);
-    const double normal = along(s.stress, s.n), mean = trace(s.stress) / 3;
-    const double r =
-        1. / 3 + (normal - mean) / (2 * s.state.moduli.G * volume);  // strain along n over volume
-    s.localised = normal > 0 && !(damage.localisation(s.state, s.Cd, r) > 0);
+    s.plastic_strain = plastic_strain;
+    if (shear_limit != ShearLimit::none)
+      shear_only().bring_back(s.state.moduli, s.stress, s.plastic_strain, wanted);
+    const T mean = trace(s.stress) * (1. / 3),
+            normal = 0.5 * (s.stress[0] + s.stress[1]) + shear_in_plane(s.stress),
+            r = 1. / 3 +  // strain along the normal over volume
+                (normal - mean) / (2 * s.state.moduli.G * select(grows, volume, T(1)));
+    s.localised =
+        grows && normal > T(0) && !(damage.localisation(s.state, s.Cd, r) > T(0));
     return s;
   }
 
   /// Tension before there is a plane. Where a step reaches the onset, it is looked for within the
-  /// step, and the rest of the step goes on from there: the strength of the plane does not depend
+  /// step, and the rest of the step is left as the path: the strength of the plane does not depend
   /// on how long steps are.
-  KOKKOS_INLINE_FUNCTION Sym3 stretch(const Strain& in, const Sym3& old, const Sym3& de,
-                                      const Isotropic& start, double volume, History& h) const {
-    h.peak_rate = most(h.peak_rate, rate_share * trace(in.rate));
-    const double rate = most(h.peak_rate, least_rate);
-    const Sym3 strain = start.strain(old);
-    Stretched end = stretched(added(strain, 1, de), rate, h);
-    double share = 1;
-    if (end.localised) {
-      double low = 0;
-      for (int k = 0; k < 48; ++k) {
-        const double mid = 0.5 * (low + share);
-        const Stretched there = stretched(added(strain, mid, de), rate, h);
-        if (there.localised) {
-          share = mid;
-          end = there;
-        } else {
-          low = mid;
-        }
+  template <class T>
+  KOKKOS_FORCEINLINE_FUNCTION SymOf<T> stretch(const StrainOf<T>& in, const Truth<T>& wanted,
+                                          PathOf<T>& path, HistoryOf<T>& h) const {
+    h.peak_rate = select(wanted, most(h.peak_rate, rate_share * trace(in.rate)), h.peak_rate);
+    const T rate = most(h.peak_rate, T(least_rate));
+    const SymOf<T> strain = path.moduli.strain(path.stress);
+    const T crack_density = h.crack_density, plastic_strain = h.plastic_strain;
+    const auto at = [&](const T& share) {
+      return stretched(added(strain, share, path.de), rate, wanted, crack_density, plastic_strain);
+    };
+    StretchedOf<T> end = at(T(1));
+    const auto onset = end.localised;
+    T share = 1;
+    if (any(onset)) {
+      T low = 0;
+      for (int k = 0; k < 24; ++k) {
+        const T mid = 0.5 * (low + share);
+        const auto there = onset && at(mid).localised;
+        share = select(there, mid, share);
+        low = select(onset && !there, mid, low);
       }
+      end = at(share);
     }
-    if (end.Cd > h.crack_density) {
-      const Isotropic before = damage.at(h.crack_density).moduli, now = end.state.moduli;
-      h.damage_work += damage_work(before, now, strain, now.strain(end.stress)) / in.rho0;
+    const IsotropicOf<T> now = end.state.moduli;
+    const auto grows = end.Cd > h.crack_density;
+    if (any(grows)) {
+      const IsotropicOf<T> before = recovers ? moduli(h, T(1)) : path.moduli;
+      const T lost = damage_work(before, now, strain, now.strain(end.stress)) / in.rho0;
+      h.damage_work += select(grows, lost, T(0));
       h.crack_density = end.Cd;
-      h.damage = end.state.D;
+      h.damage = select(grows, end.state.D, h.damage);
     }
-    if (end.plastic_strain > h.plastic_strain) {
+    const auto flows = end.plastic_strain > h.plastic_strain;
+    if (any(flows)) {
       h.plastic_strain = end.plastic_strain;
-      h.plastic_work += plastic_work(end.state.moduli, middle(old, end.stress),
-                                     added(end.trial, -1, end.stress)) /
-                        in.rho0;
+      h.plastic_work += flow_work(flows, in, now, middle(path.stress, end.stress),
+                                  added(end.trial, -1, end.stress));
     }
-    if (!end.localised) return end.stress;
-    h.strength = along(end.stress, end.n);
-    h.normal_x = end.n[0];
-    h.normal_y = end.n[1];
-    const Sym3 rest = added({}, 1 - share, de);
-    return part(in, end.stress, rest, end.state.moduli, volume, h);
+    if (any(onset)) {
+      const VecOf<T, 2> n = major_direction(end.stress);
+      h.strength = select(onset, along(end.stress, n), h.strength);
+      h.normal_x = select(onset, n[0], h.normal_x);
+      h.normal_y = select(onset, n[1], h.normal_y);
+      const SymOf<T> left = added(SymOf<T>{}, 1 - share, path.de);
+      path = {select(onset, end.stress, path.stress),
+              select(onset, left, path.de),
+              {select(onset, now.K, path.moduli.K), select(onset, now.G, path.moduli.G)}};
+    }
+    return end.stress;
   }
 
   /// -strain0 : dC : strain1 / 2, what (stress0 + stress1) / 2 : (strain1 - strain0) does beyond
   /// the elastic energy. Only matter that was stretched can lose bulk modulus by being stretched.
   /// [J/m^3]
-  KOKKOS_INLINE_FUNCTION static double damage_work(const Isotropic& before, const Isotropic& now,
-                                                   const Sym3& strain0, const Sym3& strain1) {
-    const double volume0 = trace(strain0), volume1 = trace(strain1);
-    const double shear = contract(strain0, strain1) - volume0 * volume1 / 3;
-    return most(0.5 * (before.K - now.K) * most(volume0, 0) * volume1 + (before.G - now.G) * shear,
-                0);
+  template <class T>
+  KOKKOS_FORCEINLINE_FUNCTION static T damage_work(const IsotropicOf<T>& before,
+                                                   const IsotropicOf<T>& now,
+                                                   const SymOf<T>& strain0,
+                                                   const SymOf<T>& strain1) {
+    const T volume0 = trace(strain0), volume1 = trace(strain1);
+    const T shear = contract(strain0, strain1) - volume0 * volume1 * (1. / 3);
+    return most(0.5 * (before.K - now.K) * most(volume0, T(0)) * volume1 +
+                    (before.G - now.G) * shear,
+                T(0));
   }
 
-  /// Strain of matter with a plane in it: the cone bounds the matter, the plane what is left across
-  /// it. The length that shares its volume with the plane is the chord of a cell, not that of a
-  /// point: all points of a cell see one strain.
-  KOKKOS_INLINE_FUNCTION Sym3 part(const Strain& in, const Sym3& old, const Sym3& de,
-                                   const Isotropic& start, double volume, History& h) const {
-    const Isotropic now = recovers ? moduli(h, volume) : start;
-    const Sym3 trial = tried(old, de, start, now, volume);
-    Sym3 bounded = trial;
-    bool flows = false;
-    if (volume < 0) {
-      flows = cone.bring_back(now, bounded, h.plastic_strain);
-    } else if (shear_limit == ShearLimit::always) {
-      flows = shear_only().bring_back(now, bounded, h.plastic_strain);
-    }
+  /// Of the points that flow. [J/kg]
+  template <class T>
+  KOKKOS_FORCEINLINE_FUNCTION static T flow_work(const Truth<T>& flows, const StrainOf<T>& in,
+                                                 const IsotropicOf<T>& now, const SymOf<T>& mean,
+                                                 const SymOf<T>& excess) {
+    return select(flows, plastic_work(now, mean, excess) / in.rho0, T(0));
+  }
 
-    Vec<2> n;
-    n[0] = h.normal_x;
-    n[1] = h.normal_y;
-    const double length = in.h * most(fabs(n[0]), fabs(n[1]));
-    Decohesion::Plane plane{h.strength, h.lambda};
-    Decohesion::Traction tau{along(bounded, n), across(bounded, n)};
-    const Decohesion::Opening du = decohesion.update(plane, tau, {along(old, n), across(old, n)},
-                                                     {now.constrained(), now.G, length});
-    h.lambda = plane.lambda;
-    h.opening += du.n;
-    h.slip += fabs(du.t);
-    h.decohesion_work += du.work / (length * in.rho0);
-    Sym3 sigma = bounded;
-    if (du.n != 0 || du.t != 0) sigma = added(bounded, -1, now.stress(opened(n, du, length)));
-    if (flows) {
-      h.plastic_work += plastic_work(now, middle(old, sigma), added(trial, -1, bounded)) / in.rho0;
+  /// Matter that is pressed, or has a plane in it: the cone bounds the matter, the plane what is
+  /// left across it.
+  template <class T>
+  KOKKOS_FORCEINLINE_FUNCTION SymOf<T> bounded(const StrainOf<T>& in, const Truth<T>& wanted,
+                                          const PathOf<T>& path, const T& volume,
+                                          HistoryOf<T>& h) const {
+    const IsotropicOf<T> now = recovers ? moduli(h, volume) : path.moduli;
+    SymOf<T> trial = added(path.stress, 1, path.moduli.stress(path.de));
+    if (recovers) {  // the bulk modulus belongs to the sign of the new strain of volume
+      const T change = select(now.K > path.moduli.K || now.K < path.moduli.K,
+                              now.K * volume - trace(trial) * (1. / 3), T(0));
+      for (int k = 0; k < 3; ++k) trial[k] += change;
     }
+    SymOf<T> in_matter = trial;
+    const auto pressed = volume < T(0), parted = wanted && !whole(h);
+    auto flows = cone.bring_back(now, in_matter, h.plastic_strain, wanted && pressed);
+    if (shear_limit == ShearLimit::always)
+      flows = flows || shear_only().bring_back(now, in_matter, h.plastic_strain, parted && !pressed);
+    SymOf<T> sigma = in_matter;
+    if (any(parted)) sigma = across_plane(in, parted, path.stress, in_matter, now, h);
+    if (any(flows))
+      h.plastic_work +=
+          flow_work(flows, in, now, middle(path.stress, sigma), added(trial, -1, in_matter));
     return sigma;
   }
 
+  /// The stress that a plane leaves of that of the matter. The length that shares its volume with
+  /// the plane is the chord of a cell, not that of a point: all points of a cell see one strain.
+  template <class T>
+  KOKKOS_FORCEINLINE_FUNCTION SymOf<T> across_plane(const StrainOf<T>& in, const Truth<T>& parted,
+                                               const SymOf<T>& old, const SymOf<T>& in_matter,
+                                               const IsotropicOf<T>& now, HistoryOf<T>& h) const {
+    using Plane = Decohesion::PlaneOf<T>;
+    using Traction = Decohesion::TractionOf<T>;
+    const VecOf<T, 2> n{h.normal_x, h.normal_y};
+    const T length = in.h * select(parted, most(fabs(n[0]), fabs(n[1])), T(1));
+    Plane plane{select(parted, h.strength, T(1)), select(parted, h.lambda, T(0))};
+    Traction tau{select(parted, along(in_matter, n), T(0)),
+                 select(parted, across(in_matter, n), T(0))};
+    const Traction before{along(old, n), across(old, n)};
+    const Decohesion::OpeningOf<T> du =
+        decohesion.update(plane, tau, before, {now.constrained(), now.G, length});
+    h.lambda = select(parted, plane.lambda, h.lambda);
+    h.opening += du.n;
+    h.slip += fabs(du.t);
+    h.decohesion_work += du.work / (length * in.rho0);
+    return added(in_matter, -1, now.stress(opened(n, du, length)));
+  }
+
   /// (n du + du n) / (2 length) with du in the frame of n and t = (-n_y, n_x).
-  KOKKOS_INLINE_FUNCTION static Sym3 opened(const Vec<2>& n, const Decohesion::Opening& du,
-                                            double length) {
-    const double x = du.n * n[0] - du.t * n[1], y = du.n * n[1] + du.t * n[0];
-    Sym3 e;
-    e[0] = n[0] * x / length;
-    e[1] = n[1] * y / length;
-    e[3] = 0.5 * (n[0] * y + n[1] * x) / length;
+  template <class T>
+  KOKKOS_FORCEINLINE_FUNCTION static SymOf<T> opened(const VecOf<T, 2>& n,
+                                                     const Decohesion::OpeningOf<T>& du,
+                                                     const T& length) {
+    const T x = (du.n * n[0] - du.t * n[1]) / length, y = (du.n * n[1] + du.t * n[0]) / length;
+    SymOf<T> e;
+    e[0] = n[0] * x;
+    e[1] = n[1] * y;
+    e[3] = 0.5 * (n[0] * y + n[1] * x);
     return e;
   }
 };

@@ -25,26 +25,28 @@ struct DruckerPragerCone {
   static void declare_in(Teuchos::ParameterList& valid, const Teuchos::ParameterList& given,
                          const Strengths& standard);
 
-  /// Returns a trial stress to the cone, implicitly and exactly: along the flow, or to the apex
-  /// where that would pass it. The answer is whether it was outside; the equivalent plastic strain
-  /// grows by that of the deviator.
-  KOKKOS_INLINE_FUNCTION bool bring_back(const Isotropic& m, Sym3& stress,
-                                         double& plastic_strain) const {
-    const double J2 = second_invariant(stress), limit = k - alpha * trace(stress);
-    if (limit >= 0 && J2 <= square(limit)) return false;
-    constexpr double root3 = 1.7320508075688772;
-    const double shear = sqrt(J2), flow = (shear - limit) / (m.G + 9 * m.K * alpha * beta),
-                 left = shear - m.G * flow;
-    if (left < 0 && alpha > 0) {
-      stress = {};
-      for (int i = 0; i < 3; ++i) stress[i] = k / (3 * alpha);
-      plastic_strain += shear / (root3 * m.G);
-      return true;
-    }
-    stress = with_deviator_scaled(stress, most(left, 0) / shear);
-    for (int i = 0; i < 3; ++i) stress[i] -= 3 * m.K * beta * flow;
-    plastic_strain += flow / root3;
-    return true;
+  /// Returns trial stresses to the cone where it is wanted, implicitly and exactly: along the flow,
+  /// or to the apex where that would pass it. The answer is which of them were outside; their
+  /// equivalent plastic strain grows by that of the deviator.
+  template <class M, class T>
+  KOKKOS_FORCEINLINE_FUNCTION Truth<T> bring_back(const IsotropicOf<M>& m, SymOf<T>& stress,
+                                                  T& plastic_strain,
+                                                  const Truth<T>& wanted) const {
+    const T J2 = second_invariant(stress), limit = k - alpha * trace(stress);
+    const auto outside = wanted && (limit < T(0) || J2 > square(limit));
+    if (!any(outside)) return outside;
+    constexpr double per_root3 = 0.57735026918962576;
+    const T shear = sqrt(J2), flow = (shear - limit) / (m.G + 9 * alpha * beta * m.K),
+            left = shear - m.G * flow;
+    const auto beyond = alpha * left < T(0);
+    const T apex = alpha > 0 ? k / (3 * alpha) : 0, kept = most(left, T(0)),
+            scale = kept / select(kept > T(0), shear, T(1));
+    SymOf<T> back = with_deviator_scaled(stress, scale);
+    for (int i = 0; i < 3; ++i) back[i] = select(beyond, apex, back[i] - 3 * beta * m.K * flow);
+    stress = select(outside, back, stress);
+    plastic_strain +=
+        select(outside, select(beyond, shear / m.G, flow) * per_root3, T(0));
+    return outside;
   }
 };
 

@@ -7,8 +7,6 @@ namespace brisance {
 struct Elastic : Solid {
   static constexpr const char* name = "elastic";
 
-  static constexpr bool wide = true;
-
   template <class T>
   struct HistoryOf {
     T energy = 0;

@@ -37,8 +37,8 @@ struct Plastic : Solid {
 /// trial stress, by the mean of the stresses before and after the step: what is missing of that
 /// mean : de after the elastic energy has been paid, to the last digit. Zero instead where a step
 /// is so long that it crosses the yield surface and the mean says nothing. [J/m^3]
-template <class T>
-KOKKOS_FORCEINLINE_FUNCTION T plastic_work(const Isotropic& moduli, const SymOf<T>& mean,
+template <class M, class T>
+KOKKOS_FORCEINLINE_FUNCTION T plastic_work(const IsotropicOf<M>& moduli, const SymOf<T>& mean,
                                            const SymOf<T>& excess) {
   return most(moduli.work(mean, excess), T(0));
 }

@@ -15,7 +15,7 @@ struct Solid {
   static constexpr bool fluid = false;
   static constexpr bool burns = false;
   static constexpr bool directed = false;
-  static constexpr bool wide = false;
+  static constexpr bool wide = true;
 
   Isotropic intact;     ///< moduli of sound matter
   double rho_rest = 0;  ///< [kg/m^3]
@@ -53,6 +53,9 @@ struct Solid {
 };
 
 /// The strain of a step.
-KOKKOS_INLINE_FUNCTION Sym3 increment(const Strain& in) { return added(Sym3{}, in.dt, in.rate); }
+template <class T>
+KOKKOS_FORCEINLINE_FUNCTION SymOf<T> increment(const StrainOf<T>& in) {
+  return added(SymOf<T>{}, in.dt, in.rate);
+}
 
 }  // namespace brisance

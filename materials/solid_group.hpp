@@ -12,6 +12,7 @@ struct HalfStep {
   double dt;
   template <class P, class I>
   KOKKOS_FORCEINLINE_FUNCTION void operator()(const P& point, const I& p) const {
+    point.look_ahead(p);
     auto h = point.load(p);
     const auto old = point.turn(p, 0.5 * dt, h);
     const auto r = point.material.update(point.strain(p, 0.5 * dt, around), old, h);
@@ -28,6 +29,7 @@ struct Finish {
   bool midpoint;
   template <class P, class I>
   KOKKOS_FORCEINLINE_FUNCTION void operator()(const P& point, const I& p) const {
+    point.look_ahead(p);
     auto h = point.load(p);
     const auto strain = point.strain(p, dt, around);
     const auto old = point.turn(p, dt, h);
@@ -47,7 +49,7 @@ struct LoadStress {
     const auto stress = point.stress(p);
     using T = decltype(point.volume(p));
     for (int k = 0; k < 3; ++k) point.set_scratch(p, k, stress[k]);
-    point.set_scratch(p, 3, P::Law::whole(point.load(p)) ? point.volume(p) : T(0));
+    point.set_scratch(p, 3, select(P::Law::whole(point.load(p)), point.volume(p), T(0)));
   }
 };
 
@@ -57,9 +59,10 @@ struct RelaxStress {
   template <class P, class I>
   KOKKOS_FORCEINLINE_FUNCTION void operator()(const P& point, const I& p) const {
     const auto state = point.load(p);
-    if (!P::Law::whole(state)) return;
     using T = std::decay_t<decltype(state.energy)>;
-    const T share = least(T(0.5), rate * point.material.sound_speed(point.rho(p), state));
+    const T share =
+        select(P::Law::whole(state),
+               least(T(0.5), rate * point.material.sound_speed(point.rho(p), state)), T(0));
     auto stress = point.stress(p);
     for (int k = 0; k < 3; ++k) stress[k] -= share * point.scratch(p, k);
     point.set_stress(p, stress);

@@ -19,32 +19,35 @@ struct TensileDamage {
         m(m_) {}
 
   /// Matter with a crack density Cd: secant moduli, D = 1 - K/K0, and derivatives with Cd.
-  struct State {
-    Isotropic moduli;
-    double D = 0;
-    double dK = 0, dG = 0;  ///< [Pa]
+  template <class T>
+  struct StateOf {
+    IsotropicOf<T> moduli;
+    T D = 0;
+    T dK = 0, dG = 0;  ///< [Pa]
   };
+  using State = StateOf<double>;
 
   /// Cd at a volumetric strain [-], fragments being sized by the largest rate of it [1/s].
-  KOKKOS_INLINE_FUNCTION double crack_density(double volume_strain, double rate) const {
-    return growth * pow(volume_strain, m) / square(rate);
+  template <class T>
+  KOKKOS_FORCEINLINE_FUNCTION T crack_density(const T& volume_strain, const T& rate) const {
+    return growth * raised(volume_strain, m) / square(rate);
   }
 
   /// At Cd = 9/16 nothing is left. The shear modulus is that of isotropy with the damaged K and nu.
-  KOKKOS_INLINE_FUNCTION State at(double Cd) const {
-    State s;
-    const double c = 16. / 9;
-    if (!(c * Cd < 1)) {
-      s.D = 1;
-      return s;
-    }
-    const double nu_d = nu * (1 - c * Cd), nu_slope = -c * nu, left = 1 - 2 * nu_d,
-                 f = (1 - square(nu_d)) / left, f_slope = nu_slope * 2 * (f - nu_d) / left,
-                 shape = left / (1 + nu_d), shape_slope = -3 * nu_slope / square(1 + nu_d);
-    s.D = c * f * Cd;
+  template <class T>
+  KOKKOS_FORCEINLINE_FUNCTION StateOf<T> at(const T& Cd) const {
+    constexpr double c = 16. / 9;
+    const auto holds = c * Cd < T(1);
+    const T nu_d = nu * (1 - c * Cd), left = 1 - 2 * nu_d, per_left = 1 / left,
+            per_shape = 1 / (1 + nu_d), f = (1 - square(nu_d)) * per_left;
+    const double nu_slope = -c * nu;
+    const T f_slope = 2 * nu_slope * (f - nu_d) * per_left, shape = left * per_shape,
+            shape_slope = -3 * nu_slope * square(per_shape);
+    StateOf<T> s;
+    s.D = select(holds, c * f * Cd, T(1));
     s.moduli.K = (1 - s.D) * intact.K;
     s.moduli.G = 1.5 * s.moduli.K * shape;
-    s.dK = -c * (f + f_slope * Cd) * intact.K;
+    s.dK = select(holds, -c * intact.K * (f + f_slope * Cd), T(0));
     s.dG = 1.5 * (s.dK * shape + s.moduli.K * shape_slope);
     return s;
   }
@@ -60,7 +63,8 @@ struct TensileDamage {
   /// det Q(n) = G^2 g(n) for the acoustic tensor Q of that tangent; this is g along a principal
   /// direction whose share of the volumetric strain is r. As dG < 0 it is least along the major
   /// one. Where it is not positive, strain can localise across n. [Pa]
-  KOKKOS_INLINE_FUNCTION double localisation(const State& s, double Cd, double r) const {
+  template <class T>
+  KOKKOS_FORCEINLINE_FUNCTION T localisation(const StateOf<T>& s, const T& Cd, const T& r) const {
     return s.moduli.constrained() + m * Cd * (s.dK + 2 * s.dG * (r - 1. / 3));
   }
 };

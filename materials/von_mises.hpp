@@ -14,7 +14,6 @@ namespace brisance {
 
 struct VonMises : Plastic {
   static constexpr const char* name = "von mises";
-  static constexpr bool wide = true;
 
   double yield = 0;      ///< stress in tension at which it first yields [Pa]
   double hardening = 0;  ///< its growth over the equivalent plastic strain [Pa]

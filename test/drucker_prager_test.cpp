@@ -127,7 +127,7 @@ TEST(DruckerPragerCone, ReturnsWithoutAJumpBetweenConeAndApex) {
   for (const double beside : {1 - 1e-9, 1., 1 + 1e-9}) {
     Sym3 stress = tensor(mean, mean, mean, shear * beside);
     double plastic = 0;
-    EXPECT_TRUE(cone.bring_back(m, stress, plastic));
+    EXPECT_TRUE(cone.bring_back(m, stress, plastic, true));
     for (int k = 0; k < 3; ++k) EXPECT_NEAR(stress[k], cone.k / 0.9, 1e-8 * m.K * flow * 10);
     EXPECT_NEAR(stress[3], 0, 1e-8 * shear);
     EXPECT_NEAR(plastic, flow / std::sqrt(3), 1e-8 * flow);

@@ -9,6 +9,8 @@
 #include <random>
 
 #include "core/tile.hpp"
+#include "materials/concrete.hpp"
+#include "materials/drucker_prager.hpp"
 #include "materials/elastic.hpp"
 #include "materials/fluid.hpp"
 #include "materials/perfect_gas.hpp"
@@ -193,6 +195,24 @@ TEST(WideLaw, OfSteelIsTheLawOfOnePointWhetherItYieldsOpensOrFails) {
   for (const List& list : {steel(3e8), hardening, weak})
     for (const double rate : {1e2, 1e3, 1e4})  // some, most, all yield
       expect_alike(law_of<VonMises>(list), drawn<VonMises>(rate, 2e8, 7850, energies), 1e10);
+}
+
+TEST(WideLaw, OfRockIsTheLawOfOnePointOnTheConeAndAtItsApex) {
+  List rock = steel(0);
+  rock.set("cone", "alpha and k").set("alpha", 0.3).set("k", 8e6).set("dilatancy", 0.1);
+  for (const double stress : {1e6, 1e7, 1e8})  // some, most, all outside
+    expect_alike(law_of<DruckerPrager>(rock), drawn<DruckerPrager>(1e2, stress, 7850, energies),
+                 1e9);
+}
+
+TEST(WideLaw, OfConcreteIsTheLawOfOnePointWhetherItCracksPartsOrIsPressed) {
+  List recovers, always, brittle;
+  recovers.set("recover stiffness", true).set("flaw exponent", 6.5);
+  always.set("shear limit in tension", "always");
+  brittle.set("softening exponent", 0.5);
+  for (const List& list : {List(), recovers, always, brittle})
+    for (const double rate : {30., 100., 1000.})  // some, most, all come apart
+      expect_alike(law_of<Concrete>(list), drawn<Concrete>(rate, 1e6, 2320, energies), 1e9);
 }
 
 }  // namespace
