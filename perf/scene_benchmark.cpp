@@ -20,7 +20,7 @@ struct Moment {
   double time;            ///< [s]
 };
 
-/// A quarter of the air moves, and the case breaks; a third of the gas is behind the shock.
+/// A quarter of the air moves, and the case has broken; a third of the gas is behind the shock.
 const Moment moments[] = {{"cased bomb", "bomb_cased", "400", "0.005", 2e-4},
                           {"Sedov blast", "sedov_table1", "240", "0.0025", 1e-5}};
 
