@@ -9,7 +9,7 @@ namespace brisance {
 ///   order of the additions, hence every bit, is the same for any number of threads;
 /// - duplicates: Kokkos' ScatterView, a copy for each thread (or atomics, where the backend prefers
 ///   them): what other backends take, and unsorted data could. Clearing and adding up the copies
-///   costs a third of a step of gas more.
+///   costs a tenth to a quarter of a step of gas.
 enum class Summation { colours, duplicates };
 
 class Accumulator {

@@ -105,14 +105,12 @@ class Group {
   /// State at the end of the step from the gradient alone (MUSL).
   virtual void update(Sweep<G::dim>& in, const Grid<G>& grid, double dt) = 0;
 
-  /// Fluids only, for core/relaxation: see there what the two scratch columns hold.
+  /// Fluids only, for core/relaxation: see there what the scratch columns hold.
   virtual void correct_volume(Sweep<G::dim>& /*in*/, double /*rate*/) {}
   virtual void load_pressure(Sweep<G::dim>& /*in*/) {}
   virtual void propose_exchange(Sweep<G::dim>& /*in*/, double /*rate*/, double /*dt*/) {}
-  virtual void exchange_volume(Sweep<G::dim>& /*in*/) {}
-  virtual void exchange_energy(Sweep<G::dim>& /*in*/) {}
-  virtual void load_heat(Sweep<G::dim>& /*in*/, double /*rate*/, double /*dt*/) {}
-  virtual void conduct(Sweep<G::dim>& /*in*/) {}
+  virtual void exchange_volume(Sweep<G::dim>& /*in*/, bool /*exchanges*/, double /*heat*/) {}
+  virtual void exchange_energy(Sweep<G::dim>& /*in*/, bool /*exchanges*/, bool /*conducts*/) {}
   /// Solids only, for core/stress_relaxation: scratch <- the direct stresses and, last, the weight;
   /// and the stresses without the residuals that scratch holds by then.
   virtual void load_stress(Sweep<G::dim>& /*in*/) {}

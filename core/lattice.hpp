@@ -39,7 +39,12 @@ struct Lattice {
   }
 
   KOKKOS_INLINE_FUNCTION void coordinates(int index, int (&i)[D]) const {
-    for (int d = 0; d < D; ++d) i[d] = index / stride[d] % extent(d) - halo;
+    for (int d = D - 1; d > 0; --d) {
+      const int n = index / stride[d];
+      i[d] = n - halo;
+      index -= n * stride[d];
+    }
+    i[0] = index - halo;
   }
 
   /// A position in cells from node 0.

@@ -23,19 +23,20 @@ template <class G>
 Particles<G>::Particles(int capacity, const ColumnNeeds& needs)
     : position(no_column(D)),
       velocity(no_column(D)),
-      gradient(no_column(D * D)),
       mass(no_column(1)),
       volume(no_column(1)),
       stress(no_column(needs.stress == Stress::pressure ? 1 : G::stress_components)),
       history(no_column(needs.history)),
+      gradient(no_column(D * D)),
       acts_apart(needs.half_stress),
       gradient_lasts(needs.gradient_lasts) {
   if (acts_apart) acting = no_column(static_cast<int>(stress.extent(1)));
   if (needs.affine) affine = no_column(D * D);
   if (needs.work) work = no_column(1);
   if (needs.extent) extent = no_column(D);
-  if (needs.relaxation) scratch = no_column(2);
-  if (needs.stress_relaxation) scratch = no_column(4);
+  if (needs.compression) compression = no_column(1);
+  scratches_ = needs.relaxation ? 3 : needs.stress_relaxation ? 4 : 0;
+  passing_ = no_column(gradient_lasts ? scratches_ : std::max(D * D, scratches_));
   each_column([&](const char*, const Table<double>& column, bool carried) {
     if (carried) carried_ += static_cast<int>(column.extent(1));
   });
@@ -84,6 +85,11 @@ void Particles<G>::lay_out() {
   static_assert(sizeof(std::int64_t) == sizeof(double));
   id = Array<std::int64_t>(reinterpret_cast<std::int64_t*>(slot(next).data()), capacity_);
   if (!acts_apart) acting = stress;
+  const auto passing = [&](int columns) {
+    return Kokkos::subview(passing_, Kokkos::ALL, Kokkos::make_pair(0, columns));
+  };
+  if (!gradient_lasts) gradient = passing(D * D);
+  scratch = passing(scratches_);
 }
 
 template struct Particles<Line>;

@@ -22,6 +22,7 @@ struct ColumnNeeds {
   bool work = false;         ///< midpoint: specific energy received in a step
   bool half_stress = false;  ///< midpoint, solids: the stress half a step on, beside the state
   bool relaxation = false;   ///< relaxations of fluids: residuals and exchanges
+  bool compression = false;  ///< relaxation of heat: the rate of compression of the last step
   bool stress_relaxation = false;  ///< of solids: residuals of the direct stresses and a weight
   bool extent =
       false;  ///< edges of each particle, where the scheme asks for them in more than one direction
@@ -34,13 +35,26 @@ struct Entry {
   int column = 0;
 };
 
+/// A value with its weight, whose mean over particles is taken at the nodes.
+struct Weighted {
+  Entry value, weight;
+};
+
+/// value <- keep * value + factor * sum over nodes of N field.
+struct Gathering {
+  Entry field, value;
+  double keep = 0, factor = 1;
+};
+
 template <class G>
 struct Particles {
   static constexpr int D = G::dim;
 
   int count = 0;
-  Table<double> position, velocity, gradient, mass, volume, stress, history, affine, work, scratch,
-      extent;
+  Table<double> position, velocity, mass, volume, stress, history, affine, extent, work;
+  Table<double> gradient, scratch;  ///< one memory: the step asks for the velocity gradient,
+                                    ///< relaxations between the steps for scratch
+  Table<double> compression;        ///< -tr D at the end of the last step [1/s]
   Table<double> acting;  ///< the stress that pulls at the nodes: `stress` itself, or a column apart
   bool acts_apart = false, gradient_lasts = false;
   Array<std::int64_t> id;
@@ -66,16 +80,17 @@ struct Particles {
   void each_column(F&& f) {
     f("position", position, true);
     f("velocity", velocity, true);
-    f("gradient", gradient, gradient_lasts);
+    if (gradient_lasts) f("gradient", gradient, true);
     f("mass", mass, true);
     f("volume", volume, true);
     f("stress", stress, true);
     if (history.extent(1) > 0) f("history", history, true);
     if (affine.extent(1) > 0) f("affine", affine, true);
     if (extent.extent(1) > 0) f("extent", extent, true);
+    if (compression.extent(1) > 0) f("compression", compression, true);
     if (acts_apart) f("half stress", acting, false);
     if (work.extent(1) > 0) f("work", work, false);
-    if (scratch.extent(1) > 0) f("scratch", scratch, false);
+    if (passing_.extent(1) > 0) f("gradient or scratch", passing_, false);
   }
 
   template <int N>
@@ -83,11 +98,6 @@ struct Particles {
     Vec<N> value;
     for (int k = 0; k < N; ++k) value[k] = column(p, k);
     return value;
-  }
-  template <int N>
-  KOKKOS_INLINE_FUNCTION static void store(const Table<double>& column, int p,
-                                           const Vec<N>& value) {
-    for (int k = 0; k < N; ++k) column(p, k) = value[k];
   }
 
   /// Component k of a column, of one particle or of a bundle.
@@ -100,8 +110,10 @@ struct Particles {
     return b.read(&column(0, k));
   }
   /// Asks the memory for what stands in all columns of a table `ahead` particles further on.
-  KOKKOS_FORCEINLINE_FUNCTION static void ask_for(const Table<double>& table, const Bundle<true>& b, int ahead) {
-    for (int k = 0; k < static_cast<int>(table.extent(1)); ++k) prefetch(&table(b.first, k) + ahead);
+  KOKKOS_FORCEINLINE_FUNCTION static void ask_for(const Table<double>& table, const Bundle<true>& b,
+                                                  int ahead) {
+    for (int k = 0; k < static_cast<int>(table.extent(1)); ++k)
+      prefetch(&table(b.first, k) + ahead);
   }
   KOKKOS_FORCEINLINE_FUNCTION static void put(const Table<double>& column, int p, int k,
                                               double value) {
@@ -247,7 +259,9 @@ struct Particles {
   }
 
  private:
-  Table<double> store_;  ///< the carried columns, ids, and the spare one, side by side
+  Table<double> store_;    ///< the carried columns, ids, and the spare one, side by side
+  Table<double> passing_;  ///< what is not carried of gradient and scratch
+  int scratches_ = 0;
   int capacity_ = 0, carried_ = 0;
   bool shifted_ = false;  ///< whether the spare column is the first, else the last
 

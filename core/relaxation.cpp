@@ -23,86 +23,109 @@ class Relaxation {
       if (group->relaxes()) f(*group);
   }
 
-  /// Does what the sweep holds, the last of which has added to `spare`.
-  Table<double> add_up() {
+  /// Does what the sweep holds, the last of which has added to `spare`, and returns the sums.
+  Table<double> add_up(int columns) {
     sweep.run();
     std::swap(sums, spare);
     sums->contribute();
-    fold(sums->total, 0, 2, grid.lattice, grid.boundaries);
+    fold(sums->total, 0, columns, grid.lattice, grid.boundaries);
     return sums->total;
   }
 
-  enum class Weight { volume, scratch };
+  /// The columns 0 and, if there are two, 2 of the sums <- means over what follows them.
+  void take_means(int columns) {
+    const auto total = add_up(columns);
+    Kokkos::parallel_for(
+        "nodal mean", Kokkos::RangePolicy<Space>(0, grid.lattice.size), KOKKOS_LAMBDA(const int n) {
+          for (int c = 0; c < columns; c += 2)
+            total(n, c) = total(n, c + 1) > 0 ? total(n, c) / total(n, c + 1) : 0;
+        });
+    fill(total, 0, columns - 1, grid.lattice, grid.boundaries);
+  }
 
-  /// sums->total(node, 0) <- mean at the nodes of scratch column 0 or 1.
-  void average(int column, Weight weight) {
+  /// Scratch column <- itself without its mean by volume.
+  void remove_mean(int column) {
     spare->clear();
     for_fluids([&](Group<G>& g) {
       auto& p = g.particles;
-      const Entry by = weight == Weight::volume ? Entry{p.volume, 0} : Entry{p.scratch, 1};
-      g.transfer->scatter_mean(sweep, p, Entry{p.scratch, column}, by, *spare);
+      g.transfer->scatter_mean(sweep, p, {{p.scratch, column}, {p.volume}}, 0, *spare);
     });
-    const auto total = add_up();
-    Kokkos::parallel_for(
-        "nodal mean", Kokkos::RangePolicy<Space>(0, grid.lattice.size), KOKKOS_LAMBDA(const int n) {
-          total(n, 0) = total(n, 1) > 0 ? total(n, 0) / total(n, 1) : 0;
-        });
-    fill(total, 0, 1, grid.lattice, grid.boundaries);
-  }
-
-  /// scratch(column) <- keep * scratch(column) + factor * nodal field gathered.
-  void gather(int field, int column, double keep, double factor) {
+    take_means(2);
     for_fluids([&](Group<G>& g) {
-      g.transfer->gather_scalar(sweep, g.particles, {sums->total, field},
-                                {g.particles.scratch, column}, keep, factor);
+      auto& p = g.particles;
+      g.transfer->gather_scalar(sweep, p, {{sums->total}, {p.scratch, column}, 1, -1});
     });
   }
 
-  void remove_mean(int column, Weight weight) {
-    average(column, weight);
-    gather(0, column, 1, -1);
-  }
-
-  /// s_i = sum N V / V_i should be 1. Scratch 0 <- s at the particle; scratch 1 <- how much of its
-  /// neighbourhood is not full (s_i < 0.7), where nothing is corrected.
-  void volume(double rate, const Table<double>& asleep) {
+  /// s_i = sum N V / V_i should be 1. Where a node's surroundings are not full (s_i < 0.7), nothing
+  /// is corrected. In the same look at the nodes the pressure without its mean becomes scratch 0.
+  void volume(const RelaxationRates& rates, const Table<double>& asleep) {
+    const bool presses = rates.pressure > 0;
+    if (presses) for_fluids([&](Group<G>& g) { g.load_pressure(sweep); });
     spare->clear();
-    for (auto& g : groups)
-      g->transfer->scatter_mean(sweep, g->particles, Entry{g->particles.volume, 0},
-                                Entry{g->particles.volume, 0}, *spare);
-    const auto total = add_up();
+    for (auto& g : groups) {
+      auto& p = g->particles;
+      const bool relaxes = g->relaxes();
+      const Entry value = presses && relaxes ? Entry{p.scratch} : Entry{p.volume};
+      g->transfer->scatter_mean(sweep, p, {value, {p.volume}}, relaxes ? 0 : 2, *spare);
+    }
+    const auto total = add_up(4);
     const auto lattice = grid.lattice;
     const auto boundaries = grid.boundaries;
     const bool any_sleeps = asleep.extent(0) > 0;
     Kokkos::parallel_for(
         "fullness", Kokkos::RangePolicy<Space>(0, lattice.size), KOKKOS_LAMBDA(const int n) {
-          const double here = total(n, 1) + (any_sleeps ? asleep(n, 0) : 0);
-          const double s = here / boundaries.nodal_volume(lattice, n);
-          total(n, 0) = s;
-          total(n, 1) = s < 0.7 ? 1 : 0;
+          const double fluid = total(n, 1),
+                       here = fluid + total(n, 3) + (any_sleeps ? asleep(n, 0) : 0),
+                       s = here / boundaries.nodal_volume(lattice, n);
+          total(n, 0) = fluid > 0 ? total(n, 0) / fluid : 0;
+          total(n, 1) = s < 0.7 ? not_full : s;
         });
     fill(total, 0, 2, grid.lattice, grid.boundaries);
-    gather(0, 0, 0, 1);
-    gather(1, 1, 0, 1);
-    for_fluids([&](Group<G>& g) { g.correct_volume(sweep, rate); });
+    for_fluids([&](Group<G>& g) {
+      auto& p = g.particles;
+      const Gathering fullness{{total, 1}, {p.scratch, 1}, 0, 1},
+          residual{{total, 0}, {p.scratch, 0}, 1, -1};
+      if (presses)
+        g.transfer->gather_two_scalars(sweep, p, fullness, residual);
+      else
+        g.transfer->gather_scalar(sweep, p, fullness);
+      if (rates.volume > 0) g.correct_volume(sweep, rates.volume);
+    });
   }
 
-  /// r = (1 - S S+)^2 P is the part of the pressure that no node sees.
+  /// r = (1 - S S+)^2 P is the part of the pressure that no node sees; scratch 0 holds the first
+  /// half of it.
   void pressure(double rate, double dt) {
-    for_fluids([&](Group<G>& g) { g.load_pressure(sweep); });
-    remove_mean(0, Weight::volume);
-    remove_mean(0, Weight::volume);
+    remove_mean(0);
     for_fluids([&](Group<G>& g) { g.propose_exchange(sweep, rate, dt); });
-    remove_mean(1, Weight::volume);
-    for_fluids([&](Group<G>& g) { g.exchange_volume(sweep); });
-    remove_mean(0, Weight::scratch);
-    for_fluids([&](Group<G>& g) { g.exchange_energy(sweep); });
+    remove_mean(1);
   }
 
-  void heat(double rate, double dt) {
-    for_fluids([&](Group<G>& g) { g.load_heat(sweep, rate, dt); });
-    remove_mean(0, Weight::scratch);
-    for_fluids([&](Group<G>& g) { g.conduct(sweep); });
+  /// What the exchange of volume costs, without its mean by energy, and the heat shared.
+  void energy(bool exchanges, double heat) {
+    for_fluids([&](Group<G>& g) { g.exchange_volume(sweep, exchanges, heat); });
+    spare->clear();
+    const bool both = exchanges && heat > 0;
+    for_fluids([&](Group<G>& g) {
+      auto& p = g.particles;
+      const Weighted cost{{p.scratch, 0}, {p.scratch, 1}}, hot{{p.history}, {p.scratch, 2}};
+      if (both)
+        g.transfer->scatter_two_means(sweep, p, cost, hot, *spare);
+      else
+        g.transfer->scatter_mean(sweep, p, exchanges ? cost : hot, 0, *spare);
+    });
+    take_means(both ? 4 : 2);
+    for_fluids([&](Group<G>& g) {
+      auto& p = g.particles;
+      const Gathering cost{{sums->total, 0}, {p.scratch, 0}, 1, -1},
+          hot{{sums->total, both ? 2 : 0}, {p.scratch, 1}, 0, 1};
+      if (both)
+        g.transfer->gather_two_scalars(sweep, p, cost, hot);
+      else
+        g.transfer->gather_scalar(sweep, p, exchanges ? cost : hot);
+      g.exchange_energy(sweep, exchanges, heat > 0);
+    });
   }
 };
 
@@ -113,9 +136,10 @@ void relax(std::vector<std::unique_ptr<Group<G>>>& groups, const Grid<G>& grid, 
            Accumulator& spare, const RelaxationRates& rates, double dt,
            const Table<double>& asleep) {
   Relaxation<G> relaxation{groups, grid, &sums, &spare};
-  if (rates.volume > 0) relaxation.volume(rates.volume, asleep);
-  if (rates.pressure > 0) relaxation.pressure(rates.pressure, dt);
-  if (rates.heat > 0) relaxation.heat(rates.heat, dt);
+  const bool presses = rates.pressure > 0;
+  if (rates.volume > 0 || presses) relaxation.volume(rates, asleep);
+  if (presses) relaxation.pressure(rates.pressure, dt);
+  if (presses || rates.heat > 0) relaxation.energy(presses, rates.heat * dt);
   relaxation.sweep.run();
 }
 

@@ -20,6 +20,11 @@ struct RelaxationRates {
   bool any() const { return volume > 0 || pressure > 0 || heat > 0; }
 };
 
+/// What both accumulators have room for.
+constexpr int relaxation_columns = 4;
+/// The fullness of nodes whose surroundings are not full: any share of it tells.
+constexpr double not_full = 1e30;
+
 /// Of the two accumulators one is read while the other is written. `asleep`: volume at the nodes of
 /// gas that sleeps, if any does. [m^D]
 template <class G>

@@ -51,7 +51,7 @@ void Springs<G>::weigh(const std::vector<std::unique_ptr<Group<G>>>& groups, con
     const Entry mass{group.particles.mass, 0};
     sums.clear();
     Sweep<D> sweep(grid.lattice);
-    group.transfer->scatter_mean(sweep, group.particles, mass, mass, sums);
+    group.transfer->scatter_mean(sweep, group.particles, {mass, mass}, 0, sums);
     sweep.run();
     sums.contribute();
     if (s.weight.extent(0) == 0) s.weight = Table<double>("mass on spring", grid.lattice.size, D);

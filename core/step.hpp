@@ -63,9 +63,11 @@ struct State {
   State(const Grid<G>& grid_, const StepScheme& scheme_)
       : grid(grid_),
         scheme(scheme_),
-        sums(grid_.lattice.size, D + (grid_.mixed() ? 2 : 1), scheme_.summation),
-        spare(scheme_.rates.any() || force_early() ? grid_.lattice.size : 0, std::max(2, D),
-              scheme_.summation),
+        sums(grid_.lattice.size,
+             std::max(D + (grid_.mixed() ? 2 : 1), scheme_.rates.any() ? relaxation_columns : 0),
+             scheme_.summation),
+        spare(scheme_.rates.any() || force_early() ? grid_.lattice.size : 0,
+              scheme_.rates.any() ? relaxation_columns : D, scheme_.summation),
         means(scheme_.relaxes_stress ? grid_.lattice.size : 0, 4, scheme_.summation) {}
 
   /// Whether forces are summed together with momenta, as the stress of MUSL allows unless it is

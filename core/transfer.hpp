@@ -71,9 +71,12 @@ class Transfer {
   virtual void finish_midpoint(Sweep<D>&, const Particles<G>&, const Grid<G>&, Stress,
                                int velocity_class, double flip, double dt) const = 0;
 
-  /// sums <- N w v (column 0) and N w (column 1), for nodal means of a value v with weight w.
-  virtual void scatter_mean(Sweep<D>&, const Particles<G>&, Entry value, Entry weight,
+  /// sums <- N w v (column) and N w (column + 1), for nodal means of a value v with weight w; or
+  /// of two (columns 0 .. 3).
+  virtual void scatter_mean(Sweep<D>&, const Particles<G>&, const Weighted&, int column,
                             const Accumulator&) const = 0;
+  virtual void scatter_two_means(Sweep<D>&, const Particles<G>&, const Weighted&, const Weighted&,
+                                 const Accumulator&) const = 0;
 
   /// sums <- N w v for three values v (columns 0 .. 2) and N w (column 3), from columns 0 .. 3 of a
   /// table; and values <- values - sum over nodes of N field.
@@ -82,9 +85,9 @@ class Transfer {
   virtual void subtract_means(Sweep<D>&, const Particles<G>&, const Table<double>& field,
                               const Table<double>& values) const = 0;
 
-  /// value <- keep * value + factor * sum over nodes of N field.
-  virtual void gather_scalar(Sweep<D>&, const Particles<G>&, Entry field, Entry value, double keep,
-                             double factor) const = 0;
+  virtual void gather_scalar(Sweep<D>&, const Particles<G>&, const Gathering&) const = 0;
+  virtual void gather_two_scalars(Sweep<D>&, const Particles<G>&, const Gathering&,
+                                  const Gathering&) const = 0;
 };
 
 template <class G>

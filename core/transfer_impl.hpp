@@ -93,36 +93,46 @@ class TransferBy final : public Transfer<G> {
              midpoint<Stress::tensor>(points, grid, velocity_class, flip, dt));
   }
 
-  void scatter_mean(Sweep<D>& in, const Particles<G>& points, Entry value, Entry weight,
+  void scatter_mean(Sweep<D>& in, const Particles<G>& points, const Weighted& one, int column,
                     const Accumulator& sums) const override {
-    in.add("scatter mean", sums, ScatterMeans<R, 1>{{points, in.lattice()}, value, weight});
+    in.add("scatter mean", sums,
+           ScatterMeans<Means<G, M>, 1>{{{points, in.lattice()}}, {{one}}, column});
+  }
+  void scatter_two_means(Sweep<D>& in, const Particles<G>& points, const Weighted& one,
+                         const Weighted& other, const Accumulator& sums) const override {
+    in.add("scatter two means", sums,
+           ScatterMeans<Means<G, M>, 2>{{{points, in.lattice()}}, {{one, other}}, 0});
   }
 
   void scatter_means(Sweep<D>& in, const Particles<G>& points, const Table<double>& values,
                      const Accumulator& sums) const override {
     in.add("scatter means", sums,
-           ScatterMeans<R, 3>{{points, in.lattice()}, {values}, {values, 3}});
+           ScatterAllMeans<Means<G, M>, 3>{{{points, in.lattice()}}, values});
   }
 
+  void gather_scalar(Sweep<D>& in, const Particles<G>& points,
+                     const Gathering& one) const override {
+    gather<1>(in, "gather scalar", points, {{one}});
+  }
+  void gather_two_scalars(Sweep<D>& in, const Particles<G>& points, const Gathering& one,
+                          const Gathering& other) const override {
+    gather<2>(in, "gather two scalars", points, {{one, other}});
+  }
   void subtract_means(Sweep<D>& in, const Particles<G>& points, const Table<double>& field,
                       const Table<double>& values) const override {
-    const R rows{points, in.lattice()};
-    in.add(
-        "subtract means", KOKKOS_LAMBDA(const Row<D>& row) {
-          rows.template gather<3>(row, {field}, {values}, 1, -1);
-        });
-  }
-
-  void gather_scalar(Sweep<D>& in, const Particles<G>& points, Entry field, Entry value,
-                     double keep, double factor) const override {
-    const R rows{points, in.lattice()};
-    in.add(
-        "gather scalar", KOKKOS_LAMBDA(const Row<D>& row) {
-          rows.template gather<1>(row, field, value, keep, factor);
-        });
+    const auto each = [&](int k) { return Gathering{{field, k}, {values, k}, 1, -1}; };
+    gather<3>(in, "subtract means", points, {{each(0), each(1), each(2)}});
   }
 
  private:
+  template <int C>
+  static void gather(Sweep<D>& in, const char* name, const Particles<G>& points,
+                     const Kokkos::Array<Gathering, C>& what) {
+    const Means<G, M> means{{points, in.lattice()}};
+    in.add(
+        name, KOKKOS_LAMBDA(const Row<D>& row) { means.template gather<C>(row, what); });
+  }
+
   template <Stress kind>
   static Midpoint<G, M, kind> midpoint(const Particles<G>& points, const Grid<G>& grid,
                                        int velocity_class, double flip, double dt) {

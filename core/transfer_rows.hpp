@@ -303,44 +303,6 @@ struct Rows {
     });
   }
 
-  /// sums <- N w v for C values v (columns 0 .. C-1 of `sums`) and N w (column C).
-  template <int C, class To>
-  KOKKOS_INLINE_FUNCTION void means(const Row<D>& row, Entry value, Entry weight,
-                                    const To& to) const {
-    for_tiles(row, [&](const Tile& tile, const Base& base) {
-      Field<C + 1> sum;
-      tile.for_bundles([&](const auto& b) BRISANCE_INLINE {
-        const At at = stencil(base, b);
-        const Wide w = points.get(weight.table, b, weight.column);
-        Wide v[C];
-        for (int c = 0; c < C; ++c) v[c] = points.get(value.table, b, value.column + c);
-        for (int k = 0; k < nodes; ++k) {
-          const Wide share = at.weight(k) * w;
-          for (int c = 0; c < C; ++c) sum.value[c][k] += share * v[c];
-          sum.value[C][k] += share;
-        }
-      });
-      sum.add_to(to, lattice, tile);
-    });
-  }
-
-  /// value <- keep * value + factor * sum over nodes of N field, C columns of each.
-  template <int C>
-  KOKKOS_INLINE_FUNCTION void gather(const Row<D>& row, Entry field, Entry value, double keep,
-                                     double factor) const {
-    for_tiles(row, [&](const Tile& tile, const Base& base) {
-      const Smooth<C> f = smooth<C>(field.table, tile, field.column);
-      tile.for_bundles([&](const auto& b) BRISANCE_INLINE {
-        const At at = stencil(base, b);
-        for (int c = 0; c < C; ++c) {
-          const int k = value.column + c;
-          points.put(value.table, b, k,
-                     Wide(keep) * points.get(value.table, b, k) + Wide(factor) * f.at(at, c));
-        }
-      });
-    });
-  }
-
  private:
   /// The cell that may hold a particle first, seen from its bin.
   KOKKOS_FORCEINLINE_FUNCTION int first_cell() const {

@@ -1,7 +1,7 @@
 #pragma once
 // The row functions that add to nodes, as function objects: what they add to is a table, or a
 // thread's copy of it.
-#include "core/transfer_rows.hpp"
+#include "core/transfer_means.hpp"
 
 namespace brisance {
 
@@ -43,13 +43,24 @@ struct ScatterOverlap {
   }
 };
 
-template <class R, int C>
+template <class Means, int C>
 struct ScatterMeans {
-  R rows;
-  Entry value, weight;
+  Means means;
+  Kokkos::Array<Weighted, C> what;
+  int column;
   template <class To>
-  KOKKOS_INLINE_FUNCTION void operator()(const Row<R::D>& row, const To& to) const {
-    rows.template means<C>(row, value, weight, to);
+  KOKKOS_INLINE_FUNCTION void operator()(const Row<Means::D>& row, const To& to) const {
+    means.template scatter<C>(row, what, column, to);
+  }
+};
+
+template <class Means, int C>
+struct ScatterAllMeans {
+  Means means;
+  Table<double> values;
+  template <class To>
+  KOKKOS_INLINE_FUNCTION void operator()(const Row<Means::D>& row, const To& to) const {
+    means.template scatter_all<C>(row, values, to);
   }
 };
 

@@ -5,6 +5,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "drivers/at_once.hpp"
 #include "drivers/files.hpp"
 #include "drivers/hdf5.hpp"
 
@@ -85,17 +86,8 @@ std::string read_text(hid_t file, const std::string& path, std::size_t bytes) {
   return *text;
 }
 
-}  // namespace
-
-std::string seal_of(const std::string& content) {
-  std::string seal(mark, sizeof mark);
-  const std::uint64_t sum = fnv1a(content.data(), content.size());
-  seal.append(reinterpret_cast<const char*>(&sum), sizeof sum);
-  return seal;
-}
-
-std::string bytes_of(const CheckpointHead& head, Archive&& archive) {
-  const hdf5::Handle file = hdf5::new_file();
+hdf5::Handle content_of(const CheckpointHead& head, Archive&& archive) {
+  hdf5::Handle file = hdf5::new_file();
   each_attribute(head, [&](const char* name, const auto& value) { hdf5::put(file, name, value); });
   write_entry(file, input_path, {head.input});
   auto& entries = archive.entries();
@@ -106,15 +98,30 @@ std::string bytes_of(const CheckpointHead& head, Archive&& archive) {
     write_entry(file, entries.begin()->first, entries.begin()->second);
     entries.erase(entries.begin());
   }
-  return hdf5::image_of(file);
+  return file;
+}
+
+}  // namespace
+
+std::string seal_of(std::string_view content) {
+  std::string seal(mark, sizeof mark);
+  const std::uint64_t sum = fnv1a(content.data(), content.size());
+  seal.append(reinterpret_cast<const char*>(&sum), sizeof sum);
+  return seal;
+}
+
+std::string bytes_of(const CheckpointHead& head, Archive&& archive) {
+  return std::string(hdf5::image_of(content_of(head, std::move(archive))));
 }
 
 void write_checkpoint(const fs::path& path, const CheckpointHead& head, Archive&& archive) {
-  const std::string image = bytes_of(head, std::move(archive));
+  const hdf5::Handle content = content_of(head, std::move(archive));
+  const std::string_view image = hdf5::image_of(content);
   expect_room(path.parent_path(), "'" + path.string() + "'", static_cast<double>(image.size()));
   AtomicFile file(path);
-  file.write(image);
-  file.write(seal_of(image));
+  std::string seal;
+  at_once([&] { file.write(image); }, [&] { seal = seal_of(image); });
+  file.write(seal);
   file.commit();
 }
 

@@ -4,6 +4,7 @@
 // no checksums.
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "drivers/archive.hpp"
 
@@ -11,7 +12,7 @@ namespace brisance {
 
 /// What a checkpoint tells of itself.
 struct CheckpointHead {
-  std::int64_t format = 2;
+  std::int64_t format = 3;
   std::string program, commit;  ///< that wrote it
   std::string scene, title;
   std::int64_t step = 0, threads = 1;
@@ -19,9 +20,9 @@ struct CheckpointHead {
   std::string input;  ///< XML of the complete scene
 };
 
-/// Writes the file in one piece or not at all, and safe on the disk. Uses up the archive: needs
-/// about twice the memory of what is written. Throws std::runtime_error with one line, also where
-/// the disk has not enough room.
+/// Writes the file in one piece or not at all, and safe on the disk. Uses up the archive as it
+/// goes, and needs little more memory than that. Throws std::runtime_error with one line, also
+/// where the disk has not enough room.
 void write_checkpoint(const std::filesystem::path& path, const CheckpointHead& head,
                       Archive&& archive);
 
@@ -40,6 +41,6 @@ Checkpoint read_checkpoint(const std::filesystem::path& path);
 Checkpoint checkpoint_of(std::string content);
 
 /// The mark and the checksum that belong behind a content.
-std::string seal_of(const std::string& content);
+std::string seal_of(std::string_view content);
 
 }  // namespace brisance

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
@@ -15,7 +16,7 @@
 namespace brisance {
 namespace {
 
-constexpr std::size_t buffer_size = 1 << 20;
+constexpr std::size_t buffer_size = 1 << 20;  // [B]
 
 std::string reason(int error) {
   switch (error) {
@@ -112,13 +113,18 @@ AtomicFile::~AtomicFile() {
   if (handle_ >= 0) discard();
 }
 
+// Behind a file that grows large its pages are used again, once they are on the disk: fresh ones
+// take the system longer to get than to fill, and nobody reads so soon what has been written.
 void AtomicFile::write(const void* data, std::size_t bytes) {
   size_ += bytes;
-  if (buffer_.size() + bytes > buffer_size) flush();
-  if (bytes > buffer_size) {
-    put(static_cast<const char*>(data), bytes);
-  } else {
-    buffer_.append(static_cast<const char*>(data), bytes);
+  for (const char* from = static_cast<const char*>(data); bytes > 0;) {
+    const std::size_t some = std::min(bytes, buffer_size - buffer_.size());
+    buffer_.append(from, some);
+    from += some;
+    bytes -= some;
+    if (buffer_.size() < buffer_size) return;
+    flush();
+    ::posix_fadvise(handle_, 0, 0, POSIX_FADV_DONTNEED);
   }
 }
 
@@ -135,18 +141,13 @@ void AtomicFile::commit(Backlog* later) {
 }
 
 void AtomicFile::flush() {
-  put(buffer_.data(), buffer_.size());
-  buffer_.clear();
-}
-
-void AtomicFile::put(const char* data, std::size_t bytes) {
-  while (bytes > 0) {
-    const ssize_t written = ::write(handle_, data, bytes);
+  for (std::string_view left = buffer_; !left.empty();) {
+    const ssize_t written = ::write(handle_, left.data(), left.size());
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) fail(errno);
-    data += written;
-    bytes -= static_cast<std::size_t>(written);
+    left.remove_prefix(static_cast<std::size_t>(written));
   }
+  buffer_.clear();
 }
 
 void AtomicFile::discard() {

@@ -2,6 +2,7 @@
 // Files that appear under their name complete or not at all.
 #include <cstddef>
 #include <filesystem>
+#include <mutex>
 #include <set>
 #include <string>
 #include <string_view>
@@ -13,8 +14,11 @@ namespace brisance {
 /// milliseconds, many at once hardly longer.
 class Backlog {
  public:
-  /// A file that is complete. One that is added again counts once.
-  void add(const std::filesystem::path& path) { paths_.insert(path); }
+  /// A file that is complete, from any thread. One that is added again counts once.
+  void add(const std::filesystem::path& path) {
+    const std::lock_guard<std::mutex> lock(adding_);
+    paths_.insert(path);
+  }
   bool empty() const { return paths_.empty(); }
 
   /// Forces all of them to the disk, with their names; nothing is left in it then. A file that is
@@ -23,6 +27,7 @@ class Backlog {
   void force();
 
  private:
+  std::mutex adding_;
   std::set<std::filesystem::path> paths_;
 };
 
@@ -49,7 +54,6 @@ class AtomicFile {
 
  private:
   void flush();
-  void put(const char* data, std::size_t bytes);
   void discard();
   [[noreturn]] void fail(int error);
 

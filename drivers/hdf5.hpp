@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace brisance::hdf5 {
 
@@ -34,8 +35,8 @@ class Handle {
 /// A new file in memory, and one made of an image.
 Handle new_file();
 Handle file_of(const std::string& image);
-/// All that has been written so far.
-std::string image_of(hid_t file);
+/// All that has been written so far, where it lies: until the file is used again.
+std::string_view image_of(hid_t file);
 
 void put(hid_t file, const char* attribute, const std::string& value);
 void put(hid_t file, const char* attribute, std::int64_t value);

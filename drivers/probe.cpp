@@ -201,8 +201,8 @@ void Riders<G>::carry_with(const Group<G>& group, const State<G>& state, double 
   Sweep<D> sweep(lattice);
   for (int d = 0; d < D; ++d) {
     const Entry v{points_.velocity, d};
-    transfer.gather_scalar(sweep, points_, {state.grid.before, d}, v, 0, before);
-    transfer.gather_scalar(sweep, points_, {state.grid.after, d}, v, 1, 1 - before);
+    transfer.gather_scalar(sweep, points_, {{state.grid.before, d}, v, 0, before});
+    transfer.gather_scalar(sweep, points_, {{state.grid.after, d}, v, 1, 1 - before});
   }
   sweep.run();
   const Particles<G> points = points_;

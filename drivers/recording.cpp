@@ -38,20 +38,17 @@ bool Recording::shown() const {
   return observers_.look_at_particles() || (results_ && results_->takes_particles());
 }
 
-Snapshot Recording::output(bool look) {
-  Snapshot shot = keeper_.on(TimeKeeper::output, [&] {
-    Snapshot now;
-    if (look) now = simulation_.snapshot();
-    if (results_) {
-      if (results_->takes_particles()) results_->add(now);
-      results_->note(ledger_, simulation_.balance());
-    }
-    return now;
+const Snapshot& Recording::output(bool look) {
+  keeper_.on(TimeKeeper::output, [&] {
+    if (look) shot_ = simulation_.snapshot(std::move(shot_));
+    if (!results_) return;
+    if (results_->takes_particles()) results_->add(shot_);
+    results_->note(ledger_, simulation_.balance());
   });
-  if (!observers_.none()) keeper_.on(TimeKeeper::watches, [&] { observers_.observe(shot); });
+  if (!observers_.none()) keeper_.on(TimeKeeper::watches, [&] { observers_.observe(shot_); });
   owed_ = results_.has_value();
   write_tables_if_due();
-  return shot;
+  return shot_;
 }
 
 void Recording::write_tables() {
@@ -68,6 +65,7 @@ void Recording::write_tables_if_due() {
 
 void Recording::secure() {
   if (owed_) write_tables();
+  shot_ = {};
   backlog_.force();
 }
 
@@ -75,7 +73,7 @@ void Recording::output_if_seen() {
   if (results_ || shown()) output(shown());
 }
 
-Snapshot Recording::last_output() { return output(shown() || exact_); }
+const Snapshot& Recording::last_output() { return output(shown() || exact_); }
 
 void Recording::output_if_due() {
   const auto due = times_.due(simulation_.step_count(), simulation_.time());

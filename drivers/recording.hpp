@@ -31,8 +31,8 @@ class Recording {
   void output_if_seen();
   /// To be called after each step but the last.
   void output_if_due();
-  /// The output at the end; returns what was written or is to be measured.
-  Snapshot last_output();
+  /// The output at the end; returns what was written or is to be measured, until secure().
+  const Snapshot& last_output();
 
   /// To be called after the last output, with that.
   std::vector<Measure> measures(const Snapshot& end) const { return observers_.measures(end); }
@@ -42,7 +42,8 @@ class Recording {
   void keep(Archive& archive);
 
   /// Forces to the disk what has been written so far. A checkpoint must not be there before that:
-  /// who takes it up does not write the outputs of the time before it again.
+  /// who takes it up does not write the outputs of the time before it again. The last output's copy
+  /// of the particles is given up for the memory that a checkpoint needs.
   void secure();
 
  private:
@@ -54,6 +55,7 @@ class Recording {
   OutputTimes times_;
   Backlog backlog_;
   std::optional<Results> results_;
+  Snapshot shot_;  ///< of the last output; its memory is used again
   using Clock = std::chrono::steady_clock;
   bool owed_ = false;        ///< whether tables lag behind what there is
   Clock::time_point wrote_;  ///< tables, when last
@@ -61,7 +63,7 @@ class Recording {
   void write_tables();
   void write_tables_if_due();
   /// The particles are copied where somebody looks at them.
-  Snapshot output(bool look);
+  const Snapshot& output(bool look);
   bool shown() const;
 };
 

@@ -8,6 +8,7 @@
 #include <sstream>
 #include <type_traits>
 
+#include "drivers/at_once.hpp"
 #include "drivers/input.hpp"
 #include "version.hpp"
 
@@ -144,8 +145,13 @@ Results::Results(const std::filesystem::path& folder, const List& scene, const L
 }
 
 void Results::add(const Snapshot& shot) {
-  if (choice_.particles()) add_particles(shot);
-  if (choice_.grid()) add_grid(shot);
+  at_once(
+      [&] {
+        if (choice_.particles()) add_particles(shot);
+      },
+      [&] {
+        if (choice_.grid()) add_grid(shot);
+      });
 }
 
 void Results::add_particles(const Snapshot& shot) {

@@ -199,7 +199,7 @@ class Run {
     }
     const Balance& end = result_.end = simulation_->balance();
     result_.cell_size = get<double>(scene_.sublist("grid"), "cell size");
-    const Snapshot shot = recording_.last_output();
+    const Snapshot& shot = recording_.last_output();
     measure(shot);
     recording_.write_exact(shot);
     const bool writes = !options_.folder.empty();

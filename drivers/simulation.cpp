@@ -121,7 +121,9 @@ class SimulationIn final : public Simulation {
     return b;
   }
 
-  Snapshot snapshot() const override { return snapshot_of(state_); }
+  Snapshot snapshot(Snapshot earlier) const override {
+    return snapshot_of(state_, std::move(earlier));
+  }
 
   Footprint footprint() const override {
     Footprint f;

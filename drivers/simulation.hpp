@@ -46,7 +46,7 @@ class Simulation {
   virtual void advance(double end) = 0;
 
   virtual Balance balance() const = 0;
-  virtual Snapshot snapshot() const = 0;
+  virtual Snapshot snapshot(Snapshot earlier = {}) const = 0;
   virtual Footprint footprint() const = 0;
 
   /// All that outlives a step. What is read must belong to the same scene.

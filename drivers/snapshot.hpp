@@ -14,8 +14,9 @@ struct Snapshot {
   std::vector<std::int64_t> id;  ///< unique; children of a split get new ones
 };
 
-/// Those that sleep included.
+/// Those that sleep included. An earlier one of the same state gives its memory: to get that from
+/// the system takes longer than to fill it.
 template <class G>
-Snapshot snapshot_of(const State<G>& state);
+Snapshot snapshot_of(const State<G>& state, Snapshot earlier);
 
 }  // namespace brisance

@@ -90,7 +90,7 @@ struct Concrete : Solid {
 
   template <class T>
   KOKKOS_FORCEINLINE_FUNCTION ResponseOf<T> update(const StrainOf<T>& in, const SymOf<T>& old,
-                                              HistoryOf<T>& h) const {
+                                                   HistoryOf<T>& h) const {
     PathOf<T> path{old, increment(in), moduli(h, trace(old))};
     const T volume = trace(old) / (3 * path.moduli.K) + trace(path.de);  // elastic, of the trial
     const auto stretches = whole(h) && !(volume < T(0));
@@ -130,10 +130,10 @@ struct Concrete : Solid {
   struct StretchedOf {
     T Cd = 0;
     TensileDamage::StateOf<T> state;
-    SymOf<T> trial, stress;       ///< before and after the limit of shear
-    T plastic_strain = 0;         ///< with what the limit adds
+    SymOf<T> trial, stress;           ///< before and after the limit of shear
+    T plastic_strain = 0;             ///< with what the limit adds
     Truth<T> localised = Truth<T>{};  ///< damage grows and the strain can localise across the major
-                                  ///< principal one
+                                      ///< principal one
   };
 
   template <class T>
@@ -154,8 +154,7 @@ struct Concrete : Solid {
             normal = 0.5 * (s.stress[0] + s.stress[1]) + shear_in_plane(s.stress),
             r = 1. / 3 +  // strain along the normal over volume
                 (normal - mean) / (2 * s.state.moduli.G * select(grows, volume, T(1)));
-    s.localised =
-        grows && normal > T(0) && !(damage.localisation(s.state, s.Cd, r) > T(0));
+    s.localised = grows && normal > T(0) && !(damage.localisation(s.state, s.Cd, r) > T(0));
     return s;
   }
 
@@ -164,7 +163,7 @@ struct Concrete : Solid {
   /// on how long steps are.
   template <class T>
   KOKKOS_FORCEINLINE_FUNCTION SymOf<T> stretch(const StrainOf<T>& in, const Truth<T>& wanted,
-                                          PathOf<T>& path, HistoryOf<T>& h) const {
+                                               PathOf<T>& path, HistoryOf<T>& h) const {
     h.peak_rate = select(wanted, most(h.peak_rate, rate_share * trace(in.rate)), h.peak_rate);
     const T rate = most(h.peak_rate, T(least_rate));
     const SymOf<T> strain = path.moduli.strain(path.stress);
@@ -223,9 +222,9 @@ struct Concrete : Solid {
                                                    const SymOf<T>& strain1) {
     const T volume0 = trace(strain0), volume1 = trace(strain1);
     const T shear = contract(strain0, strain1) - volume0 * volume1 * (1. / 3);
-    return most(0.5 * (before.K - now.K) * most(volume0, T(0)) * volume1 +
-                    (before.G - now.G) * shear,
-                T(0));
+    return most(
+        0.5 * (before.K - now.K) * most(volume0, T(0)) * volume1 + (before.G - now.G) * shear,
+        T(0));
   }
 
   /// Of the points that flow. [J/kg]
@@ -240,8 +239,8 @@ struct Concrete : Solid {
   /// left across it.
   template <class T>
   KOKKOS_FORCEINLINE_FUNCTION SymOf<T> bounded(const StrainOf<T>& in, const Truth<T>& wanted,
-                                          const PathOf<T>& path, const T& volume,
-                                          HistoryOf<T>& h) const {
+                                               const PathOf<T>& path, const T& volume,
+                                               HistoryOf<T>& h) const {
     const IsotropicOf<T> now = recovers ? moduli(h, volume) : path.moduli;
     SymOf<T> trial = added(path.stress, 1, path.moduli.stress(path.de));
     if (recovers) {  // the bulk modulus belongs to the sign of the new strain of volume
@@ -253,7 +252,8 @@ struct Concrete : Solid {
     const auto pressed = volume < T(0), parted = wanted && !whole(h);
     auto flows = cone.bring_back(now, in_matter, h.plastic_strain, wanted && pressed);
     if (shear_limit == ShearLimit::always)
-      flows = flows || shear_only().bring_back(now, in_matter, h.plastic_strain, parted && !pressed);
+      flows =
+          flows || shear_only().bring_back(now, in_matter, h.plastic_strain, parted && !pressed);
     SymOf<T> sigma = in_matter;
     if (any(parted)) sigma = across_plane(in, parted, path.stress, in_matter, now, h);
     if (any(flows))
@@ -266,8 +266,9 @@ struct Concrete : Solid {
   /// the plane is the chord of a cell, not that of a point: all points of a cell see one strain.
   template <class T>
   KOKKOS_FORCEINLINE_FUNCTION SymOf<T> across_plane(const StrainOf<T>& in, const Truth<T>& parted,
-                                               const SymOf<T>& old, const SymOf<T>& in_matter,
-                                               const IsotropicOf<T>& now, HistoryOf<T>& h) const {
+                                                    const SymOf<T>& old, const SymOf<T>& in_matter,
+                                                    const IsotropicOf<T>& now,
+                                                    HistoryOf<T>& h) const {
     using Plane = Decohesion::PlaneOf<T>;
     using Traction = Decohesion::TractionOf<T>;
     const VecOf<T, 2> n{h.normal_x, h.normal_y};

@@ -85,8 +85,8 @@ struct Decohesion {
       const T s = 1 - raised(lambda + d, theta), s_slope = -theta * raised(lambda + d, theta - 1);
       const T per_n = 1 / (s + d * an), per_t = 1 / (s + d * at), n2 = square(sn * per_n),
               t2 = square(st * per_t), inverse = 1 / sqrt(n2 + t2);
-      slope = inverse * inverse * inverse *
-              (n2 * (s_slope + an) * per_n + t2 * (s_slope + at) * per_t);
+      slope =
+          inverse * inverse * inverse * (n2 * (s_slope + an) * per_n + t2 * (s_slope + at) * per_t);
       return inverse - 1;
     }
 
@@ -99,7 +99,7 @@ struct Decohesion {
       for (int k = 0; k < 60 && any(!done); ++k) {
         T slope;
         const T value = excess(d, slope);
-        const auto below = value < T(0), rises = slope > T(0);
+        const auto below = value<T(0), rises = slope> T(0);
         const T next = d - value / select(rises, slope, T(1));
         const auto none = below && !(rises && next < 1 - lambda),
                    nearer = below && !none && next > d;

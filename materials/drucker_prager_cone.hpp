@@ -30,8 +30,7 @@ struct DruckerPragerCone {
   /// equivalent plastic strain grows by that of the deviator.
   template <class M, class T>
   KOKKOS_FORCEINLINE_FUNCTION Truth<T> bring_back(const IsotropicOf<M>& m, SymOf<T>& stress,
-                                                  T& plastic_strain,
-                                                  const Truth<T>& wanted) const {
+                                                  T& plastic_strain, const Truth<T>& wanted) const {
     const T J2 = second_invariant(stress), limit = k - alpha * trace(stress);
     const auto outside = wanted && (limit < T(0) || J2 > square(limit));
     if (!any(outside)) return outside;
@@ -44,8 +43,7 @@ struct DruckerPragerCone {
     SymOf<T> back = with_deviator_scaled(stress, scale);
     for (int i = 0; i < 3; ++i) back[i] = select(beyond, apex, back[i] - 3 * beta * m.K * flow);
     stress = select(outside, back, stress);
-    plastic_strain +=
-        select(outside, select(beyond, shear / m.G, flow) * per_root3, T(0));
+    plastic_strain += select(outside, select(beyond, shear / m.G, flow) * per_root3, T(0));
     return outside;
   }
 };

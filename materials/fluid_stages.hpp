@@ -19,7 +19,7 @@ struct HalfStep {
   }
 };
 
-/// Volume, and the share burned, at the end of a step.
+/// Volume, share burned and rate of compression at the end of a step.
 template <class G>
 struct Strained {
   Surroundings<G> around;
@@ -31,7 +31,9 @@ struct Strained {
       point.material.advance_burn(point.strain(p, dt, around), h);
       point.save(p, h);
     }
-    point.set_volume(p, point.volume(p) * point.growth(point.rate(p), dt));
+    const auto rate = point.rate(p);
+    point.set_volume(p, point.volume(p) * point.growth(rate, dt));
+    point.set_compression(p, -trace(rate));
   }
 };
 
@@ -63,15 +65,16 @@ struct ReceiveWork {
   }
 };
 
-// Relaxations: what the two scratch columns hold is told in core/relaxation.cpp.
+// Relaxations: what the scratch columns hold is told in core/relaxation.cpp.
 
 struct CorrectVolume {
   double rate;
   template <class P, class I>
   KOKKOS_FORCEINLINE_FUNCTION void operator()(const P& point, const I& p) const {
-    const auto s = point.scratch(p, 0), emptiness = point.scratch(p, 1);
+    const auto s = point.scratch(p, 1);
     using T = std::decay_t<decltype(s)>;
-    const auto full = !(emptiness > T(0)) && s > T(0) && P::Law::relaxes(point.load(p));
+    // Shares of nodes that are not full are much, or what is left of their difference.
+    const auto full = s < T(1e9) && s > T(0.5) && P::Law::relaxes(point.load(p));
     const T share = rate * point.material.eos.volume_share;
     const T growth = clamp(1 - share * (1 - 1 / select(full, s, T(1))), T(0.7), T(1.4));
     point.set_volume(p, point.volume(p) * growth);
@@ -104,54 +107,44 @@ struct ProposeExchange {
   }
 };
 
+/// Volumes by the proposed exchange, if there is one. What the other half of the corrections starts
+/// from: scratch 0 <- share of the internal energy that the exchange costs, 1 <- the energy, and 2
+/// <- the part of the mass that shares its heat.
 struct ExchangeVolume {
+  bool exchanges;
+  double heat;  ///< rate of the relaxation times the time it stands for [s]
   template <class P, class I>
   KOKKOS_FORCEINLINE_FUNCTION void operator()(const P& point, const I& p) const {
     const auto h = point.load(p);
-    const auto volume = point.volume(p);
-    using T = std::decay_t<decltype(volume)>;
-    const T inner = select(P::Law::relaxes(h), point.mass(p) * h.energy, T(0));
-    const auto takes = inner > T(0);
-    const T gain = point.scratch(p, 1) * volume;
-    point.set_scratch(
-        p, 0, select(takes, point.smooth_pressure(p) * gain / select(takes, inner, T(1)), T(0)));
-    point.set_scratch(p, 1, inner);
-    point.set_volume(p, select(takes, volume + gain, volume));
+    using T = std::decay_t<decltype(h.energy)>;
+    const auto relaxes = P::Law::relaxes(h);
+    if (exchanges) {
+      const T volume = point.volume(p), inner = select(relaxes, point.mass(p) * h.energy, T(0)),
+              gain = point.scratch(p, 1) * volume;
+      const auto takes = inner > T(0);
+      point.set_scratch(
+          p, 0, select(takes, point.smooth_pressure(p) * gain / select(takes, inner, T(1)), T(0)));
+      point.set_scratch(p, 1, inner);
+      point.set_volume(p, select(takes, volume + gain, volume));
+    }
+    if (heat > 0) {
+      const T share = clamp((P::Law::conducts ? heat : 0) * point.compression(p), T(0), T(0.5));
+      point.set_scratch(p, 2, select(relaxes, point.mass(p) * share, T(0)));
+    }
   }
 };
 
+/// Work <- what exchange and shared heat give, once scratch 0 holds the share of the energy without
+/// its mean and 1 the mean energy around.
 struct ExchangeEnergy {
+  bool exchanges, conducts;
   template <class P, class I>
   KOKKOS_FORCEINLINE_FUNCTION void operator()(const P& point, const I& p) const {
     const auto h = point.load(p);
     using T = std::decay_t<decltype(h.energy)>;
-    point.set_work(p, select(P::Law::relaxes(h), -point.scratch(p, 0) * h.energy, T(0)));
-  }
-};
-
-struct LoadHeat {
-  double rate, dt;
-  template <class P, class I>
-  KOKKOS_FORCEINLINE_FUNCTION void operator()(const P& point, const I& p) const {
-    const auto h = point.load(p);
-    using T = std::decay_t<decltype(h.energy)>;
-    const T compression = -trace(point.rate(p));
-    const T share =
-        select(P::Law::relaxes(h), compression * (P::Law::conducts ? rate * dt : 0), T(0));
-    point.set_scratch(p, 0, h.energy);
-    point.set_scratch(p, 1, point.mass(p) * clamp(share, T(0), T(0.5)));
-  }
-};
-
-struct Conduct {
-  template <class P, class I>
-  KOKKOS_FORCEINLINE_FUNCTION void operator()(const P& point, const I& p) const {
-    const auto share = point.scratch(p, 1) / point.mass(p);
-    if (!any(share > std::decay_t<decltype(share)>(0))) return;
-    auto h = point.load(p);
-    h.energy -= share * point.scratch(p, 0);
-    point.save(p, h);
-    point.refresh(p);
+    T work = exchanges ? -point.scratch(p, 0) * h.energy : T(0);
+    if (conducts) work -= point.scratch(p, 2) / point.mass(p) * (h.energy - point.scratch(p, 1));
+    point.set_work(p, select(P::Law::relaxes(h), work, T(0)));
   }
 };
 

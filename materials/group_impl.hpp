@@ -30,6 +30,7 @@ class MaterialGroup : public Group<G> {
     needs.work = this->scheme.midpoint;
     needs.half_stress = this->scheme.midpoint && !M::fluid;
     needs.relaxation = needs.relaxation && this->relaxes();
+    needs.compression = needs.compression && this->relaxes();
     needs.stress_relaxation = this->scheme.stress_relaxation > 0 && !M::fluid;
     needs.extent = D > 1 && (this->transfer->sized() || (needs.extent && M::fluid));
     this->particles = Particles<G>(capacity, needs);

@@ -3,7 +3,7 @@ import os
 
 from bench_files import make_folder, measure, origin, present
 
-PATTERN = r"^(machine|kernel/linear FLIP by cell|kernel/quadratic|kernel/sort|step/.*/500|weak)"
+PATTERN = r"^(machine|kernel/linear FLIP by cell|kernel/quadratic|kernel/sort|step/.*/[0-9]{3}/|weak)"
 
 
 def thread_counts(most):

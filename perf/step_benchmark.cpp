@@ -44,6 +44,16 @@ Make gas(const std::string& preset, bool quadratic = false) {
   return [=](int cells) { return gas_box(preset, quadratic, cells); };
 }
 
+/// The same with a copy of the nodes for each thread, beside which the default shows what the same
+/// bits for any number of threads cost.
+Make gas_by_duplicates(const std::string& preset) {
+  return [=](int cells) {
+    Box box = gas_box(preset, false, cells);
+    box.scene.sublist("scheme").set("summation", "duplicates");
+    return box;
+  };
+}
+
 }  // namespace
 
 void register_steps(int threads) {
@@ -53,6 +63,8 @@ void register_steps(int threads) {
     // As many cells for each thread, whatever their number.
     add("weak/plane strain/" + preset, weak, gas(preset));
   }
+  for (const std::string preset : {"paper", "balanced"})
+    add("step/plane strain/" + preset + " duplicates", 500, gas_by_duplicates(preset));
   for (const int cells : {50, 500}) {
     add("step/plane strain/paper quadratic", cells, gas("paper", true));
     for (const bool quadratic : {false, true}) {

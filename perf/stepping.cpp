@@ -9,11 +9,13 @@
 
 namespace brisance::perf {
 
-double steps_of(benchmark::State& state, const List& scene, const ExactSolution* exact) {
+double steps_of(benchmark::State& state, const List& scene, const ExactSolution* exact,
+                Archive* from) {
   constexpr double end = std::numeric_limits<double>::max();
   constexpr int before = 10;
   const PeakMemory memory;
   const auto simulation = make_simulation(scene, exact);
+  if (from) simulation->keep(*from);
   for (int k = 0; k < before; ++k) simulation->advance(end);
   double particle_steps = 0;
   for ([[maybe_unused]] auto once : state) {

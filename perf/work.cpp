@@ -48,8 +48,10 @@ constexpr double mls_pressure_force(const Shape& s) { return 1 + s.weights + s.a
 /// V sigma; two products for each direction.
 constexpr double tensor_force(const Shape& s) { return 4 + s.weights + s.gradients + 8 * s.nodes; }
 constexpr double mls_tensor_force(const Shape& s) { return 4 + s.weights + s.arms + 12 * s.nodes; }
-/// N w, N w a and their sums, then the mean at nodes.
-constexpr double scatter_mean(const Shape& s) { return s.weights + 4 * s.nodes + 1 / per_cell; }
+/// w a, N w, N w a and their sums, then the mean at nodes, of `count` means.
+constexpr double scatter_means(const Shape& s, int count) {
+  return s.weights + count * (1 + 4 * s.nodes + 1 / per_cell);
+}
 
 // ---- Once a particle ----
 constexpr double strain = 10;         // D, trace, growth of the volume, densities
@@ -85,11 +87,15 @@ constexpr double apic_with_heat(const Shape& s) {
 }
 
 /// Relaxations of a gas.
-constexpr double volume_relaxation(const Shape& s) { return scatter_mean(s) + gather(s, 2) + 8; }
-constexpr double pressure_relaxation(const Shape& s) {
-  return 4 * (scatter_mean(s) + gather(s, 1) + 1) + 50;
+constexpr double volume_relaxation(const Shape& s) {
+  return scatter_means(s, 1) + gather(s, 1) + 8;
 }
-constexpr double heat_conduction(const Shape& s) { return scatter_mean(s) + gather(s, 1) + 1 + 12; }
+/// All three: volume with the first mean of the pressure, the second and that of the exchange,
+/// energies with the heat.
+constexpr double relaxations(const Shape& s) {
+  return scatter_means(s, 1) + gather(s, 2) + 8 + 2 * (scatter_means(s, 1) + gather(s, 1) + 1) +
+         scatter_means(s, 2) + gather(s, 2) + 60;
+}
 
 /// Values that outlive a step, read and written: place, velocity, volume; mass read.
 constexpr double common_values = 2 * (2 + 2 + 1) + 1;
@@ -122,7 +128,7 @@ Work accurate() {
   const double half_step = strain + kurapatenko + 4 + gas_energy,
                finish = mls_gradient(s) + apic_with_heat(s) + work_of_stress + 2 * 2 * s.nodes +
                         move + stretch + receive,
-               relaxation = volume_relaxation(s) + pressure_relaxation(s) + heat_conduction(s);
+               relaxation = relaxations(s);
   return work(affine_momentum(s) + mls_gradient(s) + signals + cell_means + smoothness + half_step +
                   mls_pressure_force(s) + nodes_of_midpoint + finish + relaxation,
               common_values + energy + edges + affine);
@@ -133,9 +139,7 @@ Work accurate() {
 Work gas_work(const std::string& preset, bool quadratic_) {
   if (preset == "paper") return paper(quadratic_ ? quadratic : linear);
   if (preset == "fast") return by_cells(neumann, volume_relaxation(linear) / 4);
-  if (preset == "balanced")
-    return by_cells(kurapatenko, smoothness + volume_relaxation(linear) +
-                                     pressure_relaxation(linear) + heat_conduction(linear));
+  if (preset == "balanced") return by_cells(kurapatenko, smoothness + relaxations(linear));
   return accurate();
 }
 

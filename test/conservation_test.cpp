@@ -113,7 +113,8 @@ TYPED_TEST(Conservation, HoldsThroughRelaxationAndSplitting) {
     SCOPED_TRACE(test::name_of(of.transfer));
     State<TypeParam> state = random_gas<TypeParam>(of);
     state.scheme.rates = {0.15, 1, 1};
-    state.spare = Accumulator(state.grid.lattice.size, 2);
+    state.spare = Accumulator(state.grid.lattice.size, relaxation_columns);
+    state.sums = Accumulator(state.grid.lattice.size, relaxation_columns);
     state.scheme.split_length = 0.25;
     const Totals before = test::totals(state);
     const long particles = state.particles();

@@ -55,7 +55,7 @@ TEST(MajorDirection, IsThePrincipalOneAndXWhereAllAreAlike) {
   const Vec<2> tie = major_direction(tensor(2, 2 + 1e-15, 0, -1e-15));
   EXPECT_EQ(tie[0], 1);
   EXPECT_EQ(tie[1], 0);
-  EXPECT_EQ(major_direction({})[0], 1);
+  EXPECT_EQ(major_direction(Sym3{})[0], 1);
 }
 
 }  // namespace

@@ -66,7 +66,7 @@ class Known final : public Simulation {
   long particle_count() const override { return 0; }
   void advance(double) override {}
   Balance balance() const override { return {}; }
-  Snapshot snapshot() const override { return {}; }
+  Snapshot snapshot(Snapshot) const override { return {}; }
   Footprint footprint() const override { return {}; }
   std::vector<Seen> probe(const std::vector<Window>& windows) const override {
     return std::vector<Seen>(windows.size(), {points, points > 0 ? pressure(now) : 0, {}});

@@ -140,7 +140,7 @@ TEST(LinearFluid, PaysForNoRelaxation) {
   const auto kernels = kernels_of([&] { simulation->advance(1); });
   for (const char* kernel : {"scatter mean", "gather scalar", "fullness", "load heat"})
     EXPECT_EQ(kernels.count(kernel), 0u) << kernel;
-  for (const auto& column : simulation->footprint().columns) EXPECT_NE(column.name, "scratch");
+  for (const auto& column : simulation->footprint().columns) EXPECT_NE(column.name, "compression");
 }
 
 /// What a body of density 1 and modulus 1.4 is completed to, or the refusal.

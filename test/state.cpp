@@ -42,7 +42,7 @@ class Filler {
     const Lattice<D>& lattice = state.grid.lattice;
     const int per_cell = of_.per_cell, all = power(of_.cells, D) * power(per_cell, D);
     ColumnNeeds needs;
-    needs.relaxation = true;
+    needs.relaxation = needs.compression = true;
     group.allocate(all / of_.groups + 1, needs);
     Particles<G>& p = group.particles;
     for (int n = k; n < all; n += of_.groups) {

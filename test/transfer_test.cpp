@@ -218,15 +218,15 @@ TYPED_TEST(EveryTransfer, KnowsTheMeanOfAConstant) {
     for (int q = 0; q < p.count; ++q) p.scratch(q, 0) = 7;
     state.sums.clear();
     test::sweep(lattice, [&](auto& in) {
-      transfer.scatter_mean(in, p, Entry{p.scratch, 0}, Entry{p.mass, 0}, state.sums);
+      transfer.scatter_mean(in, p, {{p.scratch, 0}, {p.mass}}, 0, state.sums);
     });
     state.sums.contribute();
     const Table<double> mean("mean", lattice.size, 1);
     for (int n = 0; n < lattice.size; ++n)
       mean(n, 0) = state.sums.total(n, 1) > 0 ? state.sums.total(n, 0) / state.sums.total(n, 1) : 0;
     test::sweep(lattice, [&](auto& in) {
-      transfer.gather_scalar(in, p, {mean}, Entry{p.scratch, 1}, 0, 2);
-      transfer.gather_scalar(in, p, {mean}, Entry{p.scratch, 0}, 1, -1);
+      transfer.gather_scalar(in, p, {{mean}, {p.scratch, 1}, 0, 2});
+      transfer.gather_scalar(in, p, {{mean}, {p.scratch, 0}, 1, -1});
     });
     for (int q = 0; q < p.count; ++q) {
       ASSERT_NEAR(p.scratch(q, 1), 14, 1e-13);

@@ -128,7 +128,7 @@ void read_another_file(FuzzedDataProvider& in) {
     else
       hdf5::put(file, name, std::int64_t{1});
   for (const char* name : {"input", "contents", "a", "b/c"}) write_something(in, file, name);
-  const std::string content = hdf5::image_of(file);
+  const std::string content(hdf5::image_of(file));
   is_read(content + seal_of(content));
 }
 
