@@ -90,13 +90,17 @@ class Relaxation {
         g.transfer->gather_two_scalars(sweep, p, fullness, residual);
       else
         g.transfer->gather_scalar(sweep, p, fullness);
-      if (rates.volume > 0) g.correct_volume(sweep, rates.volume);
+      g.correct_volume(sweep, rates.volume);
     });
   }
 
-  /// r = (1 - S S+)^2 P is the part of the pressure that no node sees; scratch 0 holds the first
-  /// half of it.
-  void pressure(double rate, double dt) {
+  /// r = (1 - S S+)^2 P is the part of the pressure that no node sees. Its first half is there
+  /// where volumes have been corrected.
+  void pressure(double rate, double dt, bool first_half_is_there) {
+    if (!first_half_is_there) {
+      for_fluids([&](Group<G>& g) { g.load_pressure(sweep); });
+      remove_mean(0);
+    }
     remove_mean(0);
     for_fluids([&](Group<G>& g) { g.propose_exchange(sweep, rate, dt); });
     remove_mean(1);
@@ -137,8 +141,8 @@ void relax(std::vector<std::unique_ptr<Group<G>>>& groups, const Grid<G>& grid, 
            const Table<double>& asleep) {
   Relaxation<G> relaxation{groups, grid, &sums, &spare};
   const bool presses = rates.pressure > 0;
-  if (rates.volume > 0 || presses) relaxation.volume(rates, asleep);
-  if (presses) relaxation.pressure(rates.pressure, dt);
+  if (rates.volume > 0) relaxation.volume(rates, asleep);
+  if (presses) relaxation.pressure(rates.pressure, dt, rates.volume > 0);
   if (presses || rates.heat > 0) relaxation.energy(presses, rates.heat * dt);
   relaxation.sweep.run();
 }

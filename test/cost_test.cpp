@@ -165,7 +165,7 @@ TEST(Cost, OfWhatIsNotAskedForIsNothing) {
   EXPECT_EQ(all.names() - without({"scheme/heat conduction=0"}).names() - permuting,
             (Names{"scatter two means"}));
   EXPECT_EQ(all.names() - without({"scheme/volume relaxation=0"}).names() - permuting,
-            (Names{"correct volume"}));
+            (Names{"fullness", "correct volume"}));
   EXPECT_EQ(
       all.names() - without({"scheme/pressure relaxation=0"}).names() - permuting,
       (Names{"load pressure", "propose exchange", "scatter two means", "gather two scalars"}));
