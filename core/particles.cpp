@@ -27,16 +27,17 @@ Particles<G>::Particles(int capacity, const ColumnNeeds& needs)
       volume(no_column(1)),
       stress(no_column(needs.stress == Stress::pressure ? 1 : G::stress_components)),
       history(no_column(needs.history)),
-      gradient(no_column(D * D)),
+      gradient{no_column(D * D)},
+      work{no_column(0)},
       acts_apart(needs.half_stress),
       gradient_lasts(needs.gradient_lasts) {
   if (acts_apart) acting = no_column(static_cast<int>(stress.extent(1)));
   if (needs.affine) affine = no_column(D * D);
-  if (needs.work) work = no_column(1);
   if (needs.extent) extent = no_column(D);
   if (needs.compression) compression = no_column(1);
-  scratches_ = needs.relaxation ? 3 : needs.stress_relaxation ? 4 : 0;
-  passing_ = no_column(gradient_lasts ? scratches_ : std::max(D * D, scratches_));
+  scratch = no_column(needs.relaxation ? 3 : needs.stress_relaxation ? 4 : 0);
+  passing_ = no_column((gradient_lasts ? 0 : D * D) + (needs.work ? 1 : 0));
+  by_row_ = kernels_on_host && !gradient_lasts;
   each_column([&](const char*, const Table<double>& column, bool carried) {
     if (carried) carried_ += static_cast<int>(column.extent(1));
   });
@@ -59,12 +60,25 @@ void Particles<G>::reserve(int needed) {
 }
 
 template <class G>
+void Particles<G>::make_room_for_row(int particles) {
+  const int needed = particles + Wide::lanes;  // a bundle that is not full is read as one that is
+  if (!by_row_ || needed <= row_room_) return;
+  constexpr int line = 8;  // no two threads write to one
+  row_room_ = (needed + needed / 4 + line - 1) / line * line + line;
+  const int threads = Kokkos::Experimental::UniqueToken<Space>().size();
+  passing_ = Table<double>("passing", row_room_ * threads, passing_.extent(1));
+  lay_out();
+}
+
+template <class G>
 Particles<G> Particles<G>::none() const {
   Particles<G> others = *this;
   others.store_ = Table<double>("particles", 0, carried_ + 1);
   others.each_column([&](const char*, Table<double>& column, bool) {
     column = no_column(static_cast<int>(column.extent(1)));
   });
+  others.passing_ = no_column(static_cast<int>(passing_.extent(1)));
+  others.row_room_ = 0;
   others.first = {};
   others.order = {};
   others.bin = {};
@@ -85,11 +99,12 @@ void Particles<G>::lay_out() {
   static_assert(sizeof(std::int64_t) == sizeof(double));
   id = Array<std::int64_t>(reinterpret_cast<std::int64_t*>(slot(next).data()), capacity_);
   if (!acts_apart) acting = stress;
-  const auto passing = [&](int columns) {
-    return Kokkos::subview(passing_, Kokkos::ALL, Kokkos::make_pair(0, columns));
+  const int of_gradient = gradient_lasts ? 0 : D * D;
+  const auto passing = [&](int from, int to) {
+    return Passing{Kokkos::subview(passing_, Kokkos::ALL, Kokkos::make_pair(from, to))};
   };
-  if (!gradient_lasts) gradient = passing(D * D);
-  scratch = passing(scratches_);
+  if (!gradient_lasts) gradient = passing(0, of_gradient);
+  work = passing(of_gradient, static_cast<int>(passing_.extent(1)));
 }
 
 template struct Particles<Line>;

@@ -6,8 +6,8 @@
 
 #include "core/geometry.hpp"
 #include "core/lattice.hpp"
+#include "core/passing.hpp"
 #include "core/row.hpp"
-#include "core/tile.hpp"
 
 namespace brisance {
 
@@ -26,7 +26,8 @@ struct ColumnNeeds {
   bool stress_relaxation = false;  ///< of solids: residuals of the direct stresses and a weight
   bool extent =
       false;  ///< edges of each particle, where the scheme asks for them in more than one direction
-  bool gradient_lasts = false;  ///< whether the velocity gradient is asked for after the next sort
+  bool gradient_lasts = false;  ///< whether the velocity gradient is asked for after the sweep that
+                                ///< finds it, and after the next sort
 };
 
 /// One column of a table of particles or nodes; where several are meant, the first.
@@ -51,9 +52,9 @@ struct Particles {
   static constexpr int D = G::dim;
 
   int count = 0;
-  Table<double> position, velocity, mass, volume, stress, history, affine, extent, work;
-  Table<double> gradient, scratch;  ///< one memory: the step asks for the velocity gradient,
-                                    ///< relaxations between the steps for scratch
+  Table<double> position, velocity, mass, volume, stress, history, affine, extent, scratch;
+  Passing gradient;                 ///< of the velocity [1/s]
+  Passing work;                     ///< specific energy received [J/kg]
   Table<double> compression;        ///< -tr D at the end of the last step [1/s]
   Table<double> acting;  ///< the stress that pulls at the nodes: `stress` itself, or a column apart
   bool acts_apart = false, gradient_lasts = false;
@@ -70,6 +71,8 @@ struct Particles {
 
   /// Room for at least `needed` particles, columns kept.
   void reserve(int needed);
+  /// Room for what is passed on, of rows of so many particles at most.
+  void make_room_for_row(int particles);
   /// None yet, with the same columns in memory of their own.
   Particles none() const;
 
@@ -80,7 +83,7 @@ struct Particles {
   void each_column(F&& f) {
     f("position", position, true);
     f("velocity", velocity, true);
-    if (gradient_lasts) f("gradient", gradient, true);
+    if (gradient_lasts) f("gradient", gradient.table, true);
     f("mass", mass, true);
     f("volume", volume, true);
     f("stress", stress, true);
@@ -89,8 +92,8 @@ struct Particles {
     if (extent.extent(1) > 0) f("extent", extent, true);
     if (compression.extent(1) > 0) f("compression", compression, true);
     if (acts_apart) f("half stress", acting, false);
-    if (work.extent(1) > 0) f("work", work, false);
-    if (passing_.extent(1) > 0) f("gradient or scratch", passing_, false);
+    if (scratch.extent(1) > 0) f("scratch", scratch, false);
+    if (passing_.extent(1) > 0 && !by_row_) f("passing", passing_, false);
   }
 
   template <int N>
@@ -109,6 +112,10 @@ struct Particles {
                                               int k = 0) {
     return b.read(&column(0, k));
   }
+  template <class I>
+  KOKKOS_FORCEINLINE_FUNCTION static auto get(const Passing& column, const I& p, int k = 0) {
+    return column.get(p, k);
+  }
   /// Asks the memory for what stands in all columns of a table `ahead` particles further on.
   KOKKOS_FORCEINLINE_FUNCTION static void ask_for(const Table<double>& table, const Bundle<true>& b,
                                                   int ahead) {
@@ -125,6 +132,12 @@ struct Particles {
     b.write(&column(0, k), value);
   }
 
+  template <class I, class T>
+  KOKKOS_FORCEINLINE_FUNCTION static void put(const Passing& column, const I& p, int k,
+                                              const T& value) {
+    column.put(p, k, value);
+  }
+
   KOKKOS_FORCEINLINE_FUNCTION void set_bin(int p, double value) const {
     bin(p) = static_cast<int>(value);
   }
@@ -132,25 +145,31 @@ struct Particles {
     value.write_whole(&bin(b.first));
   }
 
+  /// Of the particles of a row, to their places in what is passed on.
+  KOKKOS_FORCEINLINE_FUNCTION int shift(const Row<D>& row) const {
+    return by_row_ ? row.thread * row_room_ - first(row.begin) : 0;
+  }
+
   /// Calls f(tile) for the tiles of a row that hold particles; their shapes touch `width` nodes
   /// along x.
   template <class F>
   KOKKOS_FORCEINLINE_FUNCTION void for_tiles(const Row<D>& row, int width, const F& f) const {
     if (first(row.begin) == first(row.end)) return;
-    const int owned_end = first(row.owned_end);
+    const int owned_end = first(row.owned_end), shift = this->shift(row);
     int number = row.number * Row<D>::tiles;
     for (int begin = row.begin; begin < row.end; begin += Wide::lanes, ++number) {
-      const Tile tile(first, begin, row.end, row.line_end - width + 1, order(number), owned_end);
+      const Tile tile(first, begin, row.end, row.line_end - width + 1, order(number), owned_end,
+                      shift);
       if (!tile.empty()) f(tile);
     }
   }
-  /// Calls f(bundle) and f(p) for the particles of a row, whatever their bins.
+  /// Calls f(bundle) and f(single) for the particles of a row, whatever their bins.
   template <class F>
   KOKKOS_FORCEINLINE_FUNCTION void for_all(const Row<D>& row, const F& f) const {
-    const int end = first(row.end);
+    const int end = first(row.end), shift = this->shift(row);
     int p = first(row.begin);
-    for (; p + Wide::lanes <= end; p += Wide::lanes) f(Bundle<true>{p});
-    for (; p < end; ++p) f(p);
+    for (; p + Wide::lanes <= end; p += Wide::lanes) f(Bundle<true>{p, shift});
+    for (; p < end; ++p) f(Single{p, shift});
   }
 
   KOKKOS_INLINE_FUNCTION Vec<D> x(int p) const { return load<D>(position, p); }
@@ -158,14 +177,14 @@ struct Particles {
   KOKKOS_INLINE_FUNCTION double& m(int p) const { return mass(p, 0); }
   KOKKOS_INLINE_FUNCTION double& vol(int p) const { return volume(p, 0); }
 
-  template <class I>
-  KOKKOS_FORCEINLINE_FUNCTION auto matrix(const Table<double>& column, const I& p) const {
+  template <class Column, class I>
+  KOKKOS_FORCEINLINE_FUNCTION auto matrix(const Column& column, const I& p) const {
     MatOf<decltype(get(column, p)), D> value;
     for (int k = 0; k < D * D; ++k) value.a[k] = get(column, p, k);
     return value;
   }
-  template <class I, class T>
-  KOKKOS_FORCEINLINE_FUNCTION void set_matrix(const Table<double>& column, const I& p,
+  template <class Column, class I, class T>
+  KOKKOS_FORCEINLINE_FUNCTION void set_matrix(const Column& column, const I& p,
                                               const MatOf<T, D>& value) const {
     for (int k = 0; k < D * D; ++k) put(column, p, k, value.a[k]);
   }
@@ -260,8 +279,9 @@ struct Particles {
 
  private:
   Table<double> store_;    ///< the carried columns, ids, and the spare one, side by side
-  Table<double> passing_;  ///< what is not carried of gradient and scratch
-  int scratches_ = 0;
+  Table<double> passing_;  ///< what is not carried of gradient and work
+  bool by_row_ = false;    ///< whether that has room for a row of each thread; else for all
+  int row_room_ = 0;
   int capacity_ = 0, carried_ = 0;
   bool shifted_ = false;  ///< whether the spare column is the first, else the last
 

@@ -18,6 +18,7 @@ struct Row {
   int line_end;   ///< end of the bins of the whole line
   int owned_end;  ///< end of the bins that the same thread works on
   int number;     ///< from 0 on, for results of its own
+  int thread;     ///< that works on it, where threads keep something of their own
 };
 
 /// How the bins of a lattice fall into rows and these into blocks, whatever the number of threads.
@@ -43,6 +44,7 @@ struct RowLayout {
     const int piece = number % pieces, start = number / pieces * line;
     Row<D> r;
     r.number = number;
+    r.thread = 0;
     r.begin = start + piece * length;
     r.line_end = start + line;
     r.end = piece + 1 < pieces ? r.begin + length : r.line_end;

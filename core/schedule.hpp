@@ -49,12 +49,16 @@ class Sweep {
   void run() {
     if (stages_.empty()) return;
     const std::string name = watched() ? names() : "sweep";
-    const auto work = [stages = &stages_, layout = layout_](int block) {
+    const Kokkos::Experimental::UniqueToken<Space> threads;
+    const auto work = [stages = &stages_, layout = layout_, threads](int block) {
+      const int thread = threads.acquire();
       const int end = std::min(layout.rows, (block + 1) * layout.rows_in_block);
       for (int k = block * layout.rows_in_block; k < end; ++k) {
-        const Row<D> row = layout.row(k);
+        Row<D> row = layout.row(k);
+        row.thread = thread;
         for (const auto& stage : *stages) (*stage)(row);
       }
+      threads.release(thread);
     };
     if (colours_) {
       for (int colour = 0; colour < 2; ++colour)

@@ -142,6 +142,16 @@ int Sorter<G>::sort(Particles<G>& particles, const Lattice<G::dim>& lattice) {
       Kokkos::deep_copy(Kokkos::subview(column, stretch), Kokkos::subview(spare, stretch));
     });
 
+  int fullest = 0;
+  Kokkos::parallel_reduce(
+      "fullest row", Kokkos::RangePolicy<Space>(0, layout.rows),
+      KOKKOS_LAMBDA(const int k, int& most_so_far) {
+        const Row<G::dim> row = layout.row(k);
+        const int here = first(row.end) - first(row.begin);
+        most_so_far = here > most_so_far ? here : most_so_far;
+      },
+      Kokkos::Max<int>(fullest));
+  particles.make_room_for_row(fullest);
   particles.count = inside;
   return count - inside;
 }

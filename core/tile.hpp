@@ -10,6 +10,12 @@
 
 namespace brisance {
 
+/// One particle. `shift` leads to its place in columns that are passed on (core/passing.hpp).
+struct Single {
+  int first, shift = 0;
+  KOKKOS_FORCEINLINE_FUNCTION operator int() const { return first; }
+};
+
 /// Neighbouring particles, one in each lane: eight of them, or as many as there are. Lanes without
 /// a particle read zeros.
 template <bool full>
@@ -17,7 +23,7 @@ struct Bundle;
 
 template <>
 struct Bundle<true> {
-  int first;
+  int first, shift = 0;
 
   KOKKOS_FORCEINLINE_FUNCTION int size() const { return Wide::lanes; }
   KOKKOS_FORCEINLINE_FUNCTION Wide read(const double* column) const {
@@ -34,6 +40,7 @@ template <>
 struct Bundle<false> {
   int first, count;
   bool room;  ///< whether nobody else works on the eight places from `first` on
+  int shift = 0;
 
   KOKKOS_FORCEINLINE_FUNCTION int size() const { return count; }
   KOKKOS_FORCEINLINE_FUNCTION WideBool present() const { return Wide::count() < Wide(count); }
@@ -90,6 +97,7 @@ struct TileOrder {
 struct Tile {
   int bin;        ///< the first
   int first;      ///< particle
+  int shift;      ///< of its particles
   int owned_end;  ///< end of the particles that nobody else works on
   TileOrder order;
   bool whole;                        ///< all eight bins are there, and their nodes lie in one line
@@ -98,9 +106,10 @@ struct Tile {
   /// Of the bins bin_ .. end, those before `inside` reach nodes of their own line only; `first_of`
   /// counts the particles that lie in the bins before each.
   KOKKOS_FORCEINLINE_FUNCTION Tile(const Array<int>& first_of, int bin_, int end, int inside,
-                                   TileOrder order_, int owned_end_)
+                                   TileOrder order_, int owned_end_, int shift_ = 0)
       : bin(bin_),
         first(first_of(bin_)),
+        shift(shift_),
         owned_end(owned_end_),
         order(order_),
         whole(bin_ + Wide::lanes <= (end < inside ? end : inside)) {
@@ -119,11 +128,11 @@ struct Tile {
   template <class F>
   KOKKOS_FORCEINLINE_FUNCTION void for_bundles(const F& f) const {
     int p = first, slot = 0;
-    for (; slot < counts[Wide::lanes - 1]; ++slot, p += Wide::lanes) f(Bundle<true>{p});
+    for (; slot < counts[Wide::lanes - 1]; ++slot, p += Wide::lanes) f(Bundle<true>{p, shift});
     for (int present = Wide::lanes;; ++slot) {
       while (present > 0 && counts[present - 1] <= slot) --present;
       if (present == 0) return;
-      f(Bundle<false>{p, present, p + Wide::lanes <= owned_end});
+      f(Bundle<false>{p, present, p + Wide::lanes <= owned_end, shift});
       p += present;
     }
   }

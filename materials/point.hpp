@@ -30,14 +30,14 @@ struct MaterialPoint {
   M material;
   Particles<G> particles;
 
-  /// Calls f(p) for the particles of a row, f(bundle) where the law is wide.
+  /// Calls f(single) for the particles of a row, f(bundle) where the law is wide.
   template <class F>
   KOKKOS_FORCEINLINE_FUNCTION void each(const Row<G::dim>& row, const F& f) const {
     if constexpr (M::wide) {
       particles.for_all(row, f);
     } else {
-      const int end = particles.first(row.end);
-      for (int p = particles.first(row.begin); p < end; ++p) f(p);
+      const int end = particles.first(row.end), shift = particles.shift(row);
+      for (int p = particles.first(row.begin); p < end; ++p) f(Single{p, shift});
     }
   }
 
@@ -55,7 +55,7 @@ struct MaterialPoint {
   template <class I>
   KOKKOS_FORCEINLINE_FUNCTION void look_ahead([[maybe_unused]] const I& p) const {
     if constexpr (M::field_count > 4 && std::is_same<I, Full>::value)
-      for (const auto* table : {&particles.history, &particles.stress, &particles.gradient})
+      for (const auto* table : {&particles.history, &particles.stress})
         particles.ask_for(*table, p, 24 * Wide::lanes);
   }
   template <class B, class = std::enable_if_t<std::is_same<B, Full>::value>>

@@ -13,10 +13,10 @@ struct Bins {
 
   Bins() : state(at_rest()), group(*state.groups[0]) {
     group.debt = Array<double>("energy owed", state.grid.lattice.size);
-    Kokkos::deep_copy(group.particles.gradient, 0.0);
+    Kokkos::deep_copy(group.particles.gradient.table, 0.0);
   }
   void receive(double work) {
-    Kokkos::deep_copy(group.particles.work, work);
+    Kokkos::deep_copy(group.particles.work.table, work);
     test::sweep(state.grid.lattice, [&](auto& in) { group.finish(in, state.grid, 1e-3); });
   }
   double energy() const { return group.totals(0, group.particles.count, 0).internal; }
@@ -29,7 +29,7 @@ struct Bins {
  private:
   static State<Line> at_rest() {
     test::RandomGas of;
-    of.regular = true;
+    of.regular = of.gradient_lasts = true;
     of.velocity_range = of.pressure_range = 0;
     return test::random_gas<Line>(of);
   }

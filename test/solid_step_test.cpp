@@ -121,7 +121,9 @@ std::unique_ptr<Group<PlaneStrain>> one_particle(const std::string& law, bool mi
   auto group = make_group<PlaneStrain>(checked, List());
   group->scheme.midpoint = midpoint;
   group->transfer = make_transfer<PlaneStrain>({"quadratic", "FLIP", "particle"});
-  group->allocate(1, {});
+  ColumnNeeds needs;
+  needs.gradient_lasts = true;
+  group->allocate(1, needs);
   auto& p = group->particles;
   p.count = 1;
   p.m(0) = 7850;

@@ -105,6 +105,7 @@ TYPED_TEST(EveryTransfer, ForcesSumToZero) {
 TYPED_TEST(EveryTransfer, FindsTheGradientOfALinearVelocity) {
   RandomGas of;
   of.side = Side::free;
+  of.gradient_lasts = true;
   Mat<TypeParam::dim> truth;
   for (int k = 0; k < TypeParam::dim * TypeParam::dim; ++k) truth.a[k] = 1 - 0.7 * k;
   this->for_each(of, [&](auto& state, auto& group, auto& transfer) {
@@ -127,6 +128,7 @@ TYPED_TEST(EveryTransfer, FindsTheGradientOfALinearVelocity) {
 TYPED_TEST(EveryTransfer, ForceAndGradientAreAdjoint) {
   RandomGas of;
   of.newtonian = true;
+  of.gradient_lasts = true;
   of.side = Side::wall;
   this->for_each(of, [](auto& state, auto& group, auto& transfer) {
     const auto& lattice = state.grid.lattice;
@@ -189,6 +191,7 @@ TYPED_TEST(EveryTransfer, OfOneVelocityForAllChangesNothing) {
   RandomGas of;
   of.damping = 0.5;
   of.pressure_range = 0;
+  of.gradient_lasts = true;
   this->for_each(of, [](auto& state, auto& group, auto& transfer) {
     const auto& p = group.particles;
     for (int n = 0; n < state.grid.lattice.size; ++n)
