@@ -33,11 +33,13 @@ class Accumulator {
     return total.span() * sizeof(double) * (duplicates_ ? 1 + Space().concurrency() : 1);
   }
 
-  void clear() {
+  void clear() { clear(static_cast<int>(total.extent(1))); }
+  /// The first columns only, where no others are asked for.
+  void clear(int columns) {
     if (duplicates_)
       scatter.reset();
     else
-      Kokkos::deep_copy(total, 0.0);
+      Kokkos::deep_copy(Kokkos::subview(total, Kokkos::ALL, Kokkos::make_pair(0, columns)), 0.0);
   }
   /// To be called when all has been added, before `total` is read.
   void contribute() {

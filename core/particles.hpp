@@ -107,9 +107,9 @@ struct Particles {
   KOKKOS_FORCEINLINE_FUNCTION static double get(const Table<double>& column, int p, int k = 0) {
     return column(p, k);
   }
-  template <bool full>
-  KOKKOS_FORCEINLINE_FUNCTION static Wide get(const Table<double>& column, const Bundle<full>& b,
-                                              int k = 0) {
+  template <bool full, bool repeats>
+  KOKKOS_FORCEINLINE_FUNCTION static Wide get(const Table<double>& column,
+                                              const Bundle<full, repeats>& b, int k = 0) {
     return b.read(&column(0, k));
   }
   template <class I>
@@ -126,9 +126,10 @@ struct Particles {
                                               double value) {
     column(p, k) = value;
   }
-  template <bool full>
-  KOKKOS_FORCEINLINE_FUNCTION static void put(const Table<double>& column, const Bundle<full>& b,
-                                              int k, const Wide& value) {
+  template <bool full, bool repeats>
+  KOKKOS_FORCEINLINE_FUNCTION static void put(const Table<double>& column,
+                                              const Bundle<full, repeats>& b, int k,
+                                              const Wide& value) {
     b.write(&column(0, k), value);
   }
 
@@ -143,6 +144,9 @@ struct Particles {
   }
   KOKKOS_FORCEINLINE_FUNCTION void set_bin(const Bundle<true>& b, const Wide& value) const {
     value.write_whole(&bin(b.first));
+  }
+  KOKKOS_FORCEINLINE_FUNCTION void set_bin(const PartOfBundle& b, const Wide& value) const {
+    for (int lane = 0; lane < b.count; ++lane) set_bin(b.first + lane, value[lane]);
   }
 
   /// Of the particles of a row, to their places in what is passed on.
@@ -163,13 +167,15 @@ struct Particles {
       if (!tile.empty()) f(tile);
     }
   }
-  /// Calls f(bundle) and f(single) for the particles of a row, whatever their bins.
+  /// Calls f(bundle) for the particles of a row, whatever their bins. The last of them, of which
+  /// there may be fewer than eight, are a bundle, too: one by one they take as long as several.
   template <class F>
   KOKKOS_FORCEINLINE_FUNCTION void for_all(const Row<D>& row, const F& f) const {
     const int end = first(row.end), shift = this->shift(row);
     int p = first(row.begin);
     for (; p + Wide::lanes <= end; p += Wide::lanes) f(Bundle<true>{p, shift});
-    for (; p < end; ++p) f(Single{p, shift});
+    const int rest = end - p;
+    if (rest > 0) f(Bundle<false, true>{p, rest, p + Wide::lanes <= first(row.owned_end), shift});
   }
 
   KOKKOS_INLINE_FUNCTION Vec<D> x(int p) const { return load<D>(position, p); }
@@ -256,8 +262,9 @@ struct Particles {
     return D == 2 ? sqrt(v) : v;
   }
   KOKKOS_FORCEINLINE_FUNCTION static double divisor(int, double value) { return value; }
-  template <bool full>
-  KOKKOS_FORCEINLINE_FUNCTION static Wide divisor(const Bundle<full>& b, const Wide& value) {
+  template <bool full, bool repeats>
+  KOKKOS_FORCEINLINE_FUNCTION static Wide divisor(const Bundle<full, repeats>& b,
+                                                  const Wide& value) {
     return b.divisor(value);
   }
 

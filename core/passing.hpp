@@ -19,16 +19,17 @@ struct Passing {
   KOKKOS_FORCEINLINE_FUNCTION double get(const Single& p, int k) const {
     return table(p.first + p.shift, k);
   }
-  template <bool full>
-  KOKKOS_FORCEINLINE_FUNCTION Wide get(const Bundle<full>& b, int k) const {
+  template <bool full, bool repeats>
+  KOKKOS_FORCEINLINE_FUNCTION Wide get(const Bundle<full, repeats>& b, int k) const {
     return b.read(&table(0, k) + b.shift);
   }
   KOKKOS_FORCEINLINE_FUNCTION void put(int p, int k, double value) const { table(p, k) = value; }
   KOKKOS_FORCEINLINE_FUNCTION void put(const Single& p, int k, double value) const {
     table(p.first + p.shift, k) = value;
   }
-  template <bool full>
-  KOKKOS_FORCEINLINE_FUNCTION void put(const Bundle<full>& b, int k, const Wide& value) const {
+  template <bool full, bool repeats>
+  KOKKOS_FORCEINLINE_FUNCTION void put(const Bundle<full, repeats>& b, int k,
+                                       const Wide& value) const {
     b.write(&table(0, k) + b.shift, value);
   }
 };

@@ -26,29 +26,19 @@ struct Cut {
   }
 };
 
-/// Half the greatest length. [m]
-template <class G>
-double longest_of(const Particles<G>& points) {
-  constexpr int block = 1024;
-  double longest = 0;
-  Kokkos::parallel_reduce(
-      "longest particle", Kokkos::RangePolicy<Space>(0, (points.count + block - 1) / block),
-      KOKKOS_LAMBDA(const int k, double& most_so_far) {
-        Wide of_lanes;
-        int p = k * block;
-        const int end = p + block < points.count ? p + block : points.count;
-        for (; p + Wide::lanes <= end; p += Wide::lanes)
-          for (int d = 0; d < G::dim; ++d)
-            of_lanes = most(of_lanes, points.half_size(Bundle<true>{p}, d));
-        most_so_far = most(most_so_far, greatest(of_lanes));
-        for (; p < end; ++p)
-          for (int d = 0; d < G::dim; ++d) most_so_far = most(most_so_far, points.half_size(p, d));
-      },
-      Kokkos::Max<double>(longest));
-  return longest;
-}
-
 }  // namespace
+
+template <class G>
+void find_longest(Sweep<G::dim>& in, const Particles<G>& points, const Array<double>& of_rows) {
+  in.add(
+      "longest particle", KOKKOS_LAMBDA(const Row<G::dim>& row) {
+        Wide longest;
+        points.for_all(row, [&](const auto& b) BRISANCE_INLINE {
+          for (int d = 0; d < G::dim; ++d) longest = most(longest, points.half_size(b, d));
+        });
+        of_rows(row.number) = most(of_rows(row.number), 2 * greatest(longest));
+      });
+}
 
 template <class G>
 int split(Particles<G>& particles, const Lattice<G::dim>& lattice,
@@ -57,7 +47,6 @@ int split(Particles<G>& particles, const Lattice<G::dim>& lattice,
   const int count = particles.count;
   const Kokkos::RangePolicy<Space> over(0, count);
   const double longest = 0.5 * length * lattice.h;
-  if (!(longest_of(particles) > longest)) return 0;
   int added = 0;
   {
     const Cut<G> cut{particles, longest};
@@ -65,6 +54,7 @@ int split(Particles<G>& particles, const Lattice<G::dim>& lattice,
         "count parts", over,
         KOKKOS_LAMBDA(const int p, int& sum) { sum += cut.parts(cut.mask(p)) - 1; }, added);
   }
+  if (added == 0) return 0;
   particles.reserve(count + added);
 
   const Cut<G> cut{particles, longest};
@@ -118,6 +108,9 @@ int split(Particles<G>& particles, const Lattice<G::dim>& lattice,
   return added;
 }
 
+template void find_longest<Line>(Sweep<1>&, const Particles<Line>&, const Array<double>&);
+template void find_longest<PlaneStrain>(Sweep<2>&, const Particles<PlaneStrain>&,
+                                        const Array<double>&);
 template int split<Line>(Particles<Line>&, const Lattice<1>&, const Boundaries<1>&, double,
                          std::int64_t&);
 template int split<PlaneStrain>(Particles<PlaneStrain>&, const Lattice<2>&, const Boundaries<2>&,

@@ -3,8 +3,13 @@
 // empty cells behind.
 #include "core/boundary.hpp"
 #include "core/particles.hpp"
+#include "core/schedule.hpp"
 
 namespace brisance {
+
+/// Each row's value <- the greatest length of its particles, if that is more. [m]
+template <class G>
+void find_longest(Sweep<G::dim>& in, const Particles<G>& particles, const Array<double>& of_rows);
 
 /// Cuts each particle in two along every direction in which it is longer than `length` cells. The
 /// parts share its mass and volume and copy all that is intensive, so mass, momentum and energy are

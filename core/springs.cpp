@@ -49,7 +49,7 @@ void Springs<G>::weigh(const std::vector<std::unique_ptr<Group<G>>>& groups, con
   for (Spring& s : springs_) {
     const Group<G>& group = *groups[s.group];
     const Entry mass{group.particles.mass, 0};
-    sums.clear();
+    sums.clear(2);
     Sweep<D> sweep(grid.lattice);
     group.transfer->scatter_mean(sweep, group.particles, {mass, mass}, 0, sums);
     sweep.run();

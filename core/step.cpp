@@ -65,7 +65,7 @@ class Step {
       g->transfer->finish_midpoint(sweep, g->particles, s.grid, g->stress(), g->velocity_class,
                                    flip(*g), dt);
       g->finish(sweep, s.grid, dt);
-      g->transfer->find_bins(sweep, g->particles);
+      to_new_order(*g);
     }
     sweep.run();
     new_order();
@@ -88,7 +88,7 @@ class Step {
       g->transfer->gradient_and_move(sweep, g->particles, s.grid, s.grid.before, dt);
       g->update(sweep, s.grid, dt);
       g->find_signals(sweep);
-      g->transfer->find_bins(sweep, g->particles);
+      to_new_order(*g);
     }
     sweep.run();
     new_order();
@@ -129,7 +129,7 @@ class Step {
   void momentum_to_grid() {
     s.stopped.assign(s.grid.own.size(), {});
     for (std::size_t c = 0; c < s.grid.own.size(); ++c) {
-      s.sums.clear();
+      s.sums.clear(D + 1);
       for (auto& g : s.groups)
         if (g->velocity_class == static_cast<int>(c))
           g->transfer->scatter_momentum(sweep, g->particles, s.sums);
@@ -171,7 +171,7 @@ class Step {
   void know_cells() {
     const bool wanted = s.grid.cell.extent(0) > 0;
     if (wanted) {
-      s.sums.clear();
+      s.sums.clear(s.grid.mixed() ? D + 2 : D + 1);
       for (auto& g : s.groups)
         if (g->fluid())
           g->transfer->scatter_cells(sweep, g->particles, s.sums);
@@ -188,7 +188,7 @@ class Step {
   }
 
   void scatter_force(Accumulator& sums) {
-    sums.clear();
+    sums.clear(D);
     for (auto& g : s.groups)
       g->transfer->scatter_force(sweep, g->particles, s.grid, g->stress(), sums);
   }
@@ -252,10 +252,18 @@ class Step {
     }
   }
 
+  /// What is asked of moved particles before they come into a new order.
+  void to_new_order(const Group<G>& g) {
+    g.transfer->find_bins(sweep, g.particles);
+    if (s.splits(g)) find_longest(sweep, g.particles, s.longest);
+  }
+
   void new_order() {
+    const bool any_long = greatest_of(s.longest) > s.scheme.split_length * s.grid.lattice.h;
+    Kokkos::deep_copy(s.longest, 0.0);
     for (auto& g : s.groups) {
       bool known = true;
-      if (g->fluid() && s.scheme.split_length > 0)
+      if (any_long && s.splits(*g))
         known = split(g->particles, s.grid.lattice, s.grid.boundaries, s.scheme.split_length,
                       s.next_id) == 0;
       arrange(*g, known);
@@ -272,6 +280,15 @@ class Step {
     if (left == 0) return;
     s.outflow += g.totals(count, count + left, g.transfer->affine_inertia(s.grid.lattice.h));
     s.left += left;
+  }
+
+  static double greatest_of(const Array<double>& values) {
+    double greatest = 0;
+    Kokkos::parallel_reduce(
+        "longest of rows", Kokkos::RangePolicy<Space>(0, static_cast<int>(values.extent(0))),
+        KOKKOS_LAMBDA(const int k, double& so_far) { so_far = most(so_far, values(k)); },
+        Kokkos::Max<double>(greatest));
+    return greatest;
   }
 
   Kokkos::RangePolicy<Space> nodes() const {

@@ -53,6 +53,7 @@ struct State {
   std::int64_t next_id = 0;
 
   Array<double> debt;  ///< see Group
+  Array<double> longest;  ///< of each row: the greatest length of particles that may be split [m]
   std::vector<Vec<D>>
       stopped;  ///< of each class: nodal momentum that walls took out at the start of the step
   Vec<D> wall_impulse;  ///< momentum given to walls, and to gas that sleeps, so far [N s], per
@@ -68,7 +69,12 @@ struct State {
              scheme_.summation),
         spare(scheme_.rates.any() || force_early() ? grid_.lattice.size : 0,
               scheme_.rates.any() ? relaxation_columns : D, scheme_.summation),
-        means(scheme_.relaxes_stress ? grid_.lattice.size : 0, 4, scheme_.summation) {}
+        means(scheme_.relaxes_stress ? grid_.lattice.size : 0, 4, scheme_.summation),
+        longest("longest of rows",
+                scheme_.split_length > 0 ? RowLayout<D>(grid_.lattice).rows : 0) {}
+
+  /// Whether particles of a group are split when they get long.
+  bool splits(const Group<G>& group) const { return group.fluid() && scheme.split_length > 0; }
 
   /// Whether forces are summed together with momenta, as the stress of MUSL allows unless it is
   /// scaled by what cells hold: saves another look at the particles.

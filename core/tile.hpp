@@ -17,8 +17,8 @@ struct Single {
 };
 
 /// Neighbouring particles, one in each lane: eight of them, or as many as there are. Lanes without
-/// a particle read zeros.
-template <bool full>
+/// a particle read zeros, for sums, or repeat the first one, for laws.
+template <bool full, bool repeats = false>
 struct Bundle;
 
 template <>
@@ -36,17 +36,16 @@ struct Bundle<true> {
   KOKKOS_FORCEINLINE_FUNCTION Wide divisor(const Wide& value) const { return value; }
 };
 
-template <>
-struct Bundle<false> {
+struct PartOfBundle {
   int first, count;
   bool room;  ///< whether nobody else works on the eight places from `first` on
   int shift = 0;
 
   KOKKOS_FORCEINLINE_FUNCTION int size() const { return count; }
   KOKKOS_FORCEINLINE_FUNCTION WideBool present() const { return Wide::count() < Wide(count); }
-  KOKKOS_FORCEINLINE_FUNCTION Wide read(const double* column) const {
-    if (room) return select(present(), Wide::read(column + first), 0);
-    return Wide::of([&](int lane) { return lane < count ? column[first + lane] : 0; });
+  KOKKOS_FORCEINLINE_FUNCTION Wide read(const double* column, double else_) const {
+    if (room) return select(present(), Wide::read(column + first), else_);
+    return Wide::of([&](int lane) { return lane < count ? column[first + lane] : else_; });
   }
   KOKKOS_FORCEINLINE_FUNCTION void write(double* column, const Wide& value) const {
     // In halves: blended with what stands behind them and written in one go, the next bundle, which
@@ -65,9 +64,24 @@ struct Bundle<false> {
     }
     if (count & 1) *to = rest[0];
   }
+};
+
+template <>
+struct Bundle<false> : PartOfBundle {
+  KOKKOS_FORCEINLINE_FUNCTION Wide read(const double* column) const {
+    return PartOfBundle::read(column, 0);
+  }
   KOKKOS_FORCEINLINE_FUNCTION Wide divisor(const Wide& value) const {
     return select(present(), value, 1);
   }
+};
+
+template <>
+struct Bundle<false, true> : PartOfBundle {
+  KOKKOS_FORCEINLINE_FUNCTION Wide read(const double* column) const {
+    return PartOfBundle::read(column, column[first]);
+  }
+  KOKKOS_FORCEINLINE_FUNCTION Wide divisor(const Wide& value) const { return value; }
 };
 
 /// In which order the bins of a tile stand: lane r stands for the bin digit(r), base 16, and bin b

@@ -77,10 +77,18 @@ struct Wide {
     std::memcpy(&w.v, from, sizeof(w.v));
     return w;
   }
-  /// The first of them.
+  /// The first of them. As doubles: compilers take copied bytes for something that may have changed
+  /// every pointer, too, and read them all again.
   template <int count = lanes>
   KOKKOS_FORCEINLINE_FUNCTION void write(double* to) const {
-    std::memcpy(to, &v, count * sizeof(double));
+#if defined(__GNUC__) && !defined(__CUDA_ARCH__) && !defined(__HIP_DEVICE_COMPILE__)
+    typedef double Part __attribute__((vector_size(count * sizeof(double)), aligned(8)));
+    Part part;
+    std::memcpy(&part, &v, sizeof(part));
+    *reinterpret_cast<Part*>(to) = part;
+#else
+    for (int lane = 0; lane < count; ++lane) to[lane] = v[lane];
+#endif
   }
 
   /// As whole numbers, cut.

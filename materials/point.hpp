@@ -25,7 +25,6 @@ template <class G, class M>
 struct MaterialPoint {
   using Law = M;
   using History = typename M::History;
-  using Full = Bundle<true>;
 
   M material;
   Particles<G> particles;
@@ -54,19 +53,19 @@ struct MaterialPoint {
   /// step of concrete takes a sixth less time. Steel takes a twentieth more, gas no less.
   template <class I>
   KOKKOS_FORCEINLINE_FUNCTION void look_ahead([[maybe_unused]] const I& p) const {
-    if constexpr (M::field_count > 4 && std::is_same<I, Full>::value)
+    if constexpr (M::field_count > 4 && std::is_same<I, Bundle<true>>::value)
       for (const auto* table : {&particles.history, &particles.stress})
         particles.ask_for(*table, p, 24 * Wide::lanes);
   }
-  template <class B, class = std::enable_if_t<std::is_same<B, Full>::value>>
-  KOKKOS_FORCEINLINE_FUNCTION auto load(const B& b) const {
+  template <bool full, bool repeats>
+  KOKKOS_FORCEINLINE_FUNCTION auto load(const Bundle<full, repeats>& b) const {
     typename M::template HistoryOf<Wide> h;
     for (int k = 0; k < M::field_count; ++k)
       h.*(M::template fields_of<Wide>[k].member) = particles.get(particles.history, b, k);
     return h;
   }
-  template <class H>
-  KOKKOS_FORCEINLINE_FUNCTION void save(const Full& b, const H& h) const {
+  template <bool full, bool repeats, class H>
+  KOKKOS_FORCEINLINE_FUNCTION void save(const Bundle<full, repeats>& b, const H& h) const {
     for (int k = 0; k < M::field_count; ++k)
       particles.put(particles.history, b, k, h.*(M::template fields_of<Wide>[k].member));
   }
@@ -178,7 +177,9 @@ struct MaterialPoint {
   KOKKOS_FORCEINLINE_FUNCTION double smoothness(int p, const Surroundings<G>& around) const {
     return around.smoothness(around.lattice.cell_of(particles.x(p)), 0);
   }
-  KOKKOS_FORCEINLINE_FUNCTION Wide smoothness(const Full& b, const Surroundings<G>& around) const {
+  template <bool full, bool repeats>
+  KOKKOS_FORCEINLINE_FUNCTION Wide smoothness(const Bundle<full, repeats>& b,
+                                              const Surroundings<G>& around) const {
     const Lattice<G::dim>& lattice = around.lattice;
     Wide cell;
     for (int d = 0; d < G::dim; ++d) {
