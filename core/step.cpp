@@ -259,8 +259,7 @@ class Step {
   }
 
   void new_order() {
-    const bool any_long = greatest_of(s.longest) > s.scheme.split_length * s.grid.lattice.h;
-    Kokkos::deep_copy(s.longest, 0.0);
+    const bool any_long = any_are_long();
     for (auto& g : s.groups) {
       bool known = true;
       if (any_long && s.splits(*g))
@@ -282,13 +281,20 @@ class Step {
     s.left += left;
   }
 
-  static double greatest_of(const Array<double>& values) {
-    double greatest = 0;
+  /// Whether a particle is to be split; forgets the lengths of the rows.
+  bool any_are_long() const {
+    if (std::none_of(s.groups.begin(), s.groups.end(), [&](auto& g) { return s.splits(*g); }))
+      return false;
+    const auto longest = s.longest;
+    double all = 0;
     Kokkos::parallel_reduce(
-        "longest of rows", Kokkos::RangePolicy<Space>(0, static_cast<int>(values.extent(0))),
-        KOKKOS_LAMBDA(const int k, double& so_far) { so_far = most(so_far, values(k)); },
-        Kokkos::Max<double>(greatest));
-    return greatest;
+        "longest of rows", Kokkos::RangePolicy<Space>(0, static_cast<int>(longest.extent(0))),
+        KOKKOS_LAMBDA(const int k, double& so_far) {
+          so_far = most(so_far, longest(k));
+          longest(k) = 0;
+        },
+        Kokkos::Max<double>(all));
+    return all > s.scheme.split_length * s.grid.lattice.h;
   }
 
   Kokkos::RangePolicy<Space> nodes() const {

@@ -27,23 +27,23 @@ const Kernel kernels[] = {
      [](Stages& in, State<G>& s) {
        s.groups[0]->transfer->scatter_momentum(in, s.groups[0]->particles, s.sums);
      }},
-    {"gradient", 6, 0,
+    {"gradient", 2, 0,
      [](Stages& in, State<G>& s) {
        s.groups[0]->transfer->gather_gradient(in, s.groups[0]->particles, s.grid.before);
      }},
-    {"material half a step", 9, 0,
+    {"material half a step", 5, 0,
      [](Stages& in, State<G>& s) { s.groups[0]->half_step(in, s.grid, dt); }},
     {"force", 4, 0,
      [](Stages& in, State<G>& s) {
        s.groups[0]->transfer->scatter_force(in, s.groups[0]->particles, s.grid, Stress::pressure,
                                             s.sums);
      }},
-    {"end of the step", 16, 8,
+    {"end of the step", 11, 8,
      [](Stages& in, State<G>& s) {
        s.groups[0]->transfer->finish_midpoint(in, s.groups[0]->particles, s.grid, Stress::pressure,
                                               0, 0.97, dt);
      }},
-    {"material whole step", 9, 0,
+    {"material whole step", 4, 0,
      [](Stages& in, State<G>& s) { s.groups[0]->finish(in, s.grid, dt); }},
     {"bins", 2.5, 0, [](Stages& in, State<G>& s) {
        s.groups[0]->transfer->find_bins(in, s.groups[0]->particles);

@@ -116,6 +116,7 @@ TYPED_TEST(Conservation, HoldsThroughRelaxationAndSplitting) {
     state.spare = Accumulator(state.grid.lattice.size, relaxation_columns);
     state.sums = Accumulator(state.grid.lattice.size, relaxation_columns);
     state.scheme.split_length = 0.25;
+    state.longest = Array<double>("longest", RowLayout<TypeParam::dim>(state.grid.lattice).rows);
     const Totals before = test::totals(state);
     const long particles = state.particles();
     for (int k = 0; k < 3; ++k) test::step(state);

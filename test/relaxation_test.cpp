@@ -164,7 +164,7 @@ TYPED_TEST(EveryRelaxation, EnergyReceivedNeverLeavesLessThanAFifth) {
     const int bins = state.grid.lattice.size;
     std::vector<double> before, given;
     for (int q = 0; q < p.count; ++q) {
-      for (std::size_t c = 0; c < p.gradient.table.extent(1); ++c) p.gradient(q, c) = 0;
+      for (int c = 0; c < TypeParam::dim * TypeParam::dim; ++c) p.gradient(q, c) = 0;
       before.push_back(p.history(q, 0));
       p.work(q, 0) = before[q] * (q % 4 == 0 ? worst : 0.1 * (q % 3));
       given.push_back(p.work(q, 0));
