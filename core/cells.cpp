@@ -1,8 +1,32 @@
 #include "core/cells.hpp"
 
 #include "core/geometry.hpp"
+#include "core/tile.hpp"
 
 namespace brisance {
+namespace {
+
+/// Calls f(bundle) for the cells inside the domain, whose neighbours it may read. One by one, with
+/// the place of each found from its number, they took four times as long.
+template <int D, class F>
+void for_inner_cells(const char* name, const Lattice<D>& lattice, const F& f) {
+  static_assert(D < 3, "planes of lines are missing");
+  constexpr int length = 256;
+  const int pieces = (lattice.cells[0] + length - 1) / length,
+            lines = D == 1 ? 1 : lattice.cells[1];
+  Kokkos::parallel_for(
+      name, Kokkos::RangePolicy<Space>(0, pieces * lines), KOKKOS_LAMBDA(const int k) {
+        int i[D] = {k % pieces * length}, reach = Wide::lanes;
+        if constexpr (D == 2) i[1] = k / pieces;
+        for (int d = 0; d < D; ++d) reach += lattice.stride[d];
+        int c = lattice.index(i);
+        const int rest = lattice.cells[0] - i[0], end = c + (rest < length ? rest : length);
+        for (; c + Wide::lanes <= end; c += Wide::lanes) f(Bundle<true>{c});
+        if (c < end) f(Bundle<false, true>{c, end - c, c + reach <= lattice.size});
+      });
+}
+
+}  // namespace
 
 template <class G>
 void average_cells(const Grid<G>& grid, const Accumulator& sums) {
@@ -27,22 +51,22 @@ void scale_cells(const Grid<G>& grid) {
   const auto cell = grid.cell, scale = grid.scale;
   const Lattice<D> lattice = grid.lattice;
   const double full_volume = lattice.cell_volume();
-  const bool mixed = grid.mixed();
-  Kokkos::parallel_for(
-      "scale cells", Kokkos::RangePolicy<Space>(0, lattice.size), KOKKOS_LAMBDA(const int c) {
-        scale(c, 0) = 1;
-        if (!(cell(c, D) > 0)) return;
-        int i[D];
-        lattice.coordinates(c, i);
-        for (int d = 0; d < D; ++d)
-          if (i[d] < 0 || i[d] >= lattice.cells[d]) return;
+  const int solids = grid.mixed() ? D + 1 : D;
+  for_inner_cells(
+      "scale cells", lattice, KOKKOS_LAMBDA(const auto& c) {
+        Wide emptiest = full_volume;
         for (int k = 0; k < around; ++k) {
-          int neighbour = c;
-          for (int d = 0; d < D; ++d) neighbour += (k / power(3, d) % 3 - 1) * lattice.stride[d];
-          if (!(cell(neighbour, D) > 0 || (mixed && cell(neighbour, D + 1) > 0))) return;
+          int there = 0;
+          for (int d = 0; d < D; ++d) there += (k / power(3, d) % 3 - 1) * lattice.stride[d];
+          emptiest =
+              least(emptiest, c.read(&cell(0, D) + there) + c.read(&cell(0, solids) + there));
         }
-        const double solid = mixed ? cell(c, D + 1) : 0;
-        scale(c, 0) = clamp((full_volume - solid) / cell(c, D), solid > 0 ? 0 : 0.5, 2);
+        const Wide fluid = c.read(&cell(0, D)),
+                   solid = solids > D ? c.read(&cell(0, solids)) : Wide(0);
+        const WideBool holds = fluid > Wide(0);
+        const Wide filled = clamp((full_volume - solid) / select(holds, fluid, 1),
+                                  select(solid > Wide(0), Wide(0), 0.5), 2);
+        c.write(&scale(0, 0), select(holds && emptiest > Wide(0), filled, 1));
       });
 }
 
@@ -51,24 +75,19 @@ void limit_cells(const Grid<G>& grid) {
   constexpr int D = G::dim;
   const auto cell = grid.cell, smoothness = grid.smoothness;
   const Lattice<D> lattice = grid.lattice;
-  Kokkos::parallel_for(
-      "limit cells", Kokkos::RangePolicy<Space>(0, lattice.size), KOKKOS_LAMBDA(const int c) {
-        smoothness(c, 0) = 0;
-        int i[D];
-        lattice.coordinates(c, i);
-        for (int d = 0; d < D; ++d)
-          if (i[d] < 0 || i[d] >= lattice.cells[d]) return;
-        double sum = 0, weights = 0;
+  for_inner_cells(
+      "limit cells", lattice, KOKKOS_LAMBDA(const auto& c) {
+        Wide sum, weights;
         for (int d = 0; d < D; ++d) {
-          const double here = cell(c, d);
-          if (here == 0) continue;
-          const double below = cell(c - lattice.stride[d], d) / here;
-          const double above = cell(c + lattice.stride[d], d) / here;
-          const double psi = least(least(0.5 * (below + above), 2 * below), least(2 * above, 1));
-          sum += fabs(here) * most(psi, 0);
-          weights += fabs(here);
+          const double* rate = &cell(0, d);
+          const Wide here = c.read(rate), sign = select(here < Wide(0), Wide(-1), 1),
+                     below = sign * c.read(rate - lattice.stride[d]),
+                     above = sign * c.read(rate + lattice.stride[d]), size = sign * here;
+          sum += most(least(least(0.5 * (below + above), 2 * below), least(2 * above, size)), 0);
+          weights += size;
         }
-        smoothness(c, 0) = weights > 0 ? sum / weights : 0;
+        const WideBool moves = weights > Wide(0);
+        c.write(&smoothness(0, 0), select(moves, sum / select(moves, weights, 1), 0));
       });
 }
 

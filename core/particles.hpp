@@ -53,9 +53,9 @@ struct Particles {
 
   int count = 0;
   Table<double> position, velocity, mass, volume, stress, history, affine, extent, scratch;
-  Passing gradient;                 ///< of the velocity [1/s]
-  Passing work;                     ///< specific energy received [J/kg]
-  Table<double> compression;        ///< -tr D at the end of the last step [1/s]
+  Passing gradient;           ///< of the velocity [1/s]
+  Passing work;               ///< specific energy received [J/kg]
+  Table<double> compression;  ///< -tr D at the end of the last step [1/s]
   Table<double> acting;  ///< the stress that pulls at the nodes: `stress` itself, or a column apart
   bool acts_apart = false, gradient_lasts = false;
   Array<std::int64_t> id;

@@ -2,8 +2,8 @@
 // What the stages of one sweep pass on to each other and nobody asks for afterwards: velocity
 // gradients and work. On the host each thread has room for the particles of one row, which stays in
 // its nearest cache; as columns of all particles these values were a fifth to a quarter of what a
-// step of gas writes to memory and reads again. Elsewhere stages are kernels of their own, and there
-// is a place for each particle.
+// step of gas writes to memory and reads again. Elsewhere stages are kernels of their own, and
+// there is a place for each particle.
 #include "core/tile.hpp"
 
 namespace brisance {
@@ -12,9 +12,7 @@ namespace brisance {
 struct Passing {
   Table<double> table;
 
-  KOKKOS_FORCEINLINE_FUNCTION double& operator()(int place, int k) const {
-    return table(place, k);
-  }
+  KOKKOS_FORCEINLINE_FUNCTION double& operator()(int place, int k) const { return table(place, k); }
   KOKKOS_FORCEINLINE_FUNCTION double get(int p, int k) const { return table(p, k); }
   KOKKOS_FORCEINLINE_FUNCTION double get(const Single& p, int k) const {
     return table(p.first + p.shift, k);

@@ -52,7 +52,7 @@ struct State {
   long step = 0;
   std::int64_t next_id = 0;
 
-  Array<double> debt;  ///< see Group
+  Array<double> debt;     ///< see Group
   Array<double> longest;  ///< of each row: the greatest length of particles that may be split [m]
   std::vector<Vec<D>>
       stopped;  ///< of each class: nodal momentum that walls took out at the start of the step

@@ -111,12 +111,12 @@ struct Fluid : FluidState<Eos::burns> {
     const SymOf<T> viscous = shear.stress_of(in.rate);
     const T viscous_pressure = q - trace(viscous) * (1. / 3), p0 = -trace(old) * (1. / 3),
             dv = in.volume_change;
-    const T shear_work = contract(viscous, in.rate) - trace(viscous) * trace(in.rate) * (1. / 3);
-    h.energy = (h.energy -
-                (0.5 * (p0 + burned(h) * eos.offset(in.rho1)) +
-                 (in.viscous_before ? 0.5 : 1) * viscous_pressure) *
-                    dv +
-                shear_work * in.dt / in.rho0) /
+    if constexpr (Shear::stress == Stress::tensor)
+      h.energy += (contract(viscous, in.rate) - trace(viscous) * trace(in.rate) * (1. / 3)) *
+                  in.dt / in.rho0;
+    h.energy = (h.energy - (0.5 * (p0 + burned(h) * eos.offset(in.rho1)) +
+                            (in.viscous_before ? 0.5 : 1) * viscous_pressure) *
+                               dv) /
                (1 + 0.5 * burned(h) * eos.slope(in.rho1) * dv);
     if constexpr (thermal) h.energy = most(h.energy, T(0));
     ResponseOf<T> r = state(in.rho1, h);
