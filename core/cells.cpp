@@ -26,6 +26,51 @@ void for_inner_cells(const char* name, const Lattice<D>& lattice, const F& f) {
       });
 }
 
+template <int D>
+struct ScaleCells {
+  Lattice<D> lattice;
+  Table<double> cell, scale;
+  double full_volume;
+  int solids;  ///< the column of their volume; where there are none, that of fluids
+
+  template <class Bundle>
+  KOKKOS_FORCEINLINE_FUNCTION void operator()(const Bundle& c) const {
+    const double *fluid_volume = &cell(0, D), *solid_volume = &cell(0, solids);
+    Wide emptiest = full_volume;
+    for (int k = 0; k < power(3, D); ++k) {
+      int there = 0;
+      for (int d = 0; d < D; ++d) there += (k / power(3, d) % 3 - 1) * lattice.stride[d];
+      emptiest = least(emptiest, c.read(fluid_volume + there) + c.read(solid_volume + there));
+    }
+    const Wide fluid = c.read(fluid_volume), solid = solids > D ? c.read(solid_volume) : Wide(0);
+    const WideBool holds = fluid > Wide(0);
+    const Wide filled = clamp((full_volume - solid) / select(holds, fluid, 1),
+                              select(solid > Wide(0), Wide(0), 0.5), 2);
+    c.write(&scale(0, 0), select(holds && emptiest > Wide(0), filled, 1));
+  }
+};
+
+template <int D>
+struct LimitCells {
+  Lattice<D> lattice;
+  Table<double> cell, smoothness;
+
+  template <class Bundle>
+  KOKKOS_FORCEINLINE_FUNCTION void operator()(const Bundle& c) const {
+    Wide sum, weights;
+    for (int d = 0; d < D; ++d) {
+      const double* rate = &cell(0, d);
+      const Wide here = c.read(rate), sign = select(here < Wide(0), Wide(-1), 1),
+                 below = sign * c.read(rate - lattice.stride[d]),
+                 above = sign * c.read(rate + lattice.stride[d]), size = sign * here;
+      sum += most(least(least(0.5 * (below + above), 2 * below), least(2 * above, size)), 0);
+      weights += size;
+    }
+    const WideBool moves = weights > Wide(0);
+    c.write(&smoothness(0, 0), select(moves, sum / select(moves, weights, 1), 0));
+  }
+};
+
 }  // namespace
 
 template <class G>
@@ -47,48 +92,16 @@ void average_cells(const Grid<G>& grid, const Accumulator& sums) {
 
 template <class G>
 void scale_cells(const Grid<G>& grid) {
-  constexpr int D = G::dim, around = power(3, D);
-  const auto cell = grid.cell, scale = grid.scale;
-  const Lattice<D> lattice = grid.lattice;
-  const double full_volume = lattice.cell_volume();
-  const int solids = grid.mixed() ? D + 1 : D;
+  const int solids = grid.mixed() ? G::dim + 1 : G::dim;
   for_inner_cells(
-      "scale cells", lattice, KOKKOS_LAMBDA(const auto& c) {
-        Wide emptiest = full_volume;
-        for (int k = 0; k < around; ++k) {
-          int there = 0;
-          for (int d = 0; d < D; ++d) there += (k / power(3, d) % 3 - 1) * lattice.stride[d];
-          emptiest =
-              least(emptiest, c.read(&cell(0, D) + there) + c.read(&cell(0, solids) + there));
-        }
-        const Wide fluid = c.read(&cell(0, D)),
-                   solid = solids > D ? c.read(&cell(0, solids)) : Wide(0);
-        const WideBool holds = fluid > Wide(0);
-        const Wide filled = clamp((full_volume - solid) / select(holds, fluid, 1),
-                                  select(solid > Wide(0), Wide(0), 0.5), 2);
-        c.write(&scale(0, 0), select(holds && emptiest > Wide(0), filled, 1));
-      });
+      "scale cells", grid.lattice,
+      ScaleCells<G::dim>{grid.lattice, grid.cell, grid.scale, grid.lattice.cell_volume(), solids});
 }
 
 template <class G>
 void limit_cells(const Grid<G>& grid) {
-  constexpr int D = G::dim;
-  const auto cell = grid.cell, smoothness = grid.smoothness;
-  const Lattice<D> lattice = grid.lattice;
-  for_inner_cells(
-      "limit cells", lattice, KOKKOS_LAMBDA(const auto& c) {
-        Wide sum, weights;
-        for (int d = 0; d < D; ++d) {
-          const double* rate = &cell(0, d);
-          const Wide here = c.read(rate), sign = select(here < Wide(0), Wide(-1), 1),
-                     below = sign * c.read(rate - lattice.stride[d]),
-                     above = sign * c.read(rate + lattice.stride[d]), size = sign * here;
-          sum += most(least(least(0.5 * (below + above), 2 * below), least(2 * above, size)), 0);
-          weights += size;
-        }
-        const WideBool moves = weights > Wide(0);
-        c.write(&smoothness(0, 0), select(moves, sum / select(moves, weights, 1), 0));
-      });
+  for_inner_cells("limit cells", grid.lattice,
+                  LimitCells<G::dim>{grid.lattice, grid.cell, grid.smoothness});
 }
 
 #define BRISANCE_CELLS(G)                                             \

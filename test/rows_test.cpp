@@ -102,6 +102,34 @@ void expect_bundles_as_shape() {
   expect_bundle_as_shape<S>(Bundle<false>{2, 3, false});
 }
 
+// A stage that takes particles as they lie, and one that takes them tile by tile.
+TEST(Passing, HandsEachParticleItsOwnFromStageToStage) {
+  const auto state = test::random_gas<PlaneStrain>({});
+  const Particles<PlaneStrain> points = state.groups[0]->particles;
+  const Array<int> kept("kept", RowLayout<2>(state.grid.lattice).rows);
+  test::sweep(state.grid.lattice, [&](auto& in) {
+    in.add("give", [=](const Row<2>& row) {
+      points.for_all(row, [&](const auto& b) {
+        points.put(points.gradient, b, 3, points.get(points.position, b, 1));
+        points.put(points.work, b, 0, points.get(points.position, b, 0));
+      });
+    });
+    in.add("take", [=](const Row<2>& row) {
+      points.for_tiles(row, 2, [&](const Tile& tile) {
+        tile.for_bundles([&](const auto& b) {
+          const Wide y = points.get(points.gradient, b, 3), x = points.get(points.work, b);
+          for (int lane = 0; lane < b.size(); ++lane)
+            kept(row.number) += x[lane] == points.position(b.first + lane, 0) &&
+                                y[lane] == points.position(b.first + lane, 1);
+        });
+      });
+    });
+  });
+  int all = 0;
+  for (std::size_t k = 0; k < kept.extent(0); ++k) all += kept(k);
+  EXPECT_EQ(all, points.count);
+}
+
 TEST(Bundles, SeeTheNodesAsTheShapesSay) {
   expect_bundles_as_shape<Linear>();
   expect_bundles_as_shape<Gimp>();

@@ -84,6 +84,20 @@ TEST(Bundle, WritesItsOwnAndNothingElse) {
     }
 }
 
+TEST(Bundle, RepeatsItsFirstForLaws) {
+  for (const bool room : {true, false})
+    for (int count = 1; count < lanes; ++count) {
+      Eight column = numbers;
+      const Bundle<false, true> bundle{0, count, room};
+      const Wide read = bundle.read(column.data());
+      for (int lane = 0; lane < lanes; ++lane)
+        EXPECT_EQ(read[lane], numbers[lane < count ? lane : 0]);
+      bundle.write(column.data(), -read);
+      for (int lane = 0; lane < lanes; ++lane)
+        EXPECT_EQ(column[lane], lane < count ? -numbers[lane] : numbers[lane]);
+    }
+}
+
 TEST(TileOrder, PutsFullBinsFirstAndKnowsTheWayBack) {
   std::mt19937 random(3);
   for (int trial = 0; trial < 100; ++trial) {
