@@ -107,8 +107,10 @@ struct ProposeExchange {
   }
 };
 
-/// Volumes by the proposed exchange, if there is one. What the other half of the corrections starts
-/// from: scratch 0 <- share of the internal energy that the exchange costs, 1 <- the energy, and 2
+/// Volumes by the proposed exchange, if there is one, but not of points that would pay more than
+/// they have: products of explosives press on with next to no energy. What the other half of the
+/// corrections starts from: scratch 0 <- share of the internal energy that the exchange costs, 1 <-
+/// the energy, and 2
 /// <- the part of the mass that shares its heat.
 struct ExchangeVolume {
   bool exchanges;
@@ -120,10 +122,9 @@ struct ExchangeVolume {
     const auto relaxes = P::Law::relaxes(h);
     if (exchanges) {
       const T volume = point.volume(p), inner = select(relaxes, point.mass(p) * h.energy, T(0)),
-              gain = point.scratch(p, 1) * volume;
-      const auto takes = inner > T(0);
-      point.set_scratch(
-          p, 0, select(takes, point.smooth_pressure(p) * gain / select(takes, inner, T(1)), T(0)));
+              gain = point.scratch(p, 1) * volume, pays = point.smooth_pressure(p) * gain;
+      const auto takes = inner > fabs(pays);
+      point.set_scratch(p, 0, select(takes, pays / select(takes, inner, T(1)), T(0)));
       point.set_scratch(p, 1, inner);
       point.set_volume(p, select(takes, volume + gain, volume));
     }

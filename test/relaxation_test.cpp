@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "materials/fluid_stages.hpp"
 #include "test/state.hpp"
 
 namespace brisance {
@@ -195,6 +196,44 @@ TYPED_TEST(EveryRelaxation, EnergyReceivedNeverLeavesLessThanAFifth) {
       for (int q = 0; q < p.count; ++q)
         EXPECT_NEAR(p.history(q, 0), before[q] + given[q], 1e-14 * 3 * before[q]);
     }
+  }
+}
+
+/// A point of products that press although they have next to no energy left. [SI units]
+struct ColdProducts {
+  struct Law {
+    static constexpr bool conducts = false;
+    template <class H>
+    static bool relaxes(const H&) {
+      return true;
+    }
+  };
+  struct History {
+    double energy;
+  };
+  double energy;
+  mutable double scratches[3] = {0, 0.1, 0}, space = 2;
+
+  History load(int) const { return {energy}; }
+  double mass(int) const { return 1; }
+  double volume(int) const { return space; }
+  double smooth_pressure(int) const { return 1e5; }
+  double compression(int) const { return 0; }
+  double scratch(int, int column) const { return scratches[column]; }
+  void set_scratch(int, int column, double value) const { scratches[column] = value; }
+  void set_volume(int, double value) const { space = value; }
+};
+
+// 2e4 J for a tenth more of the volume.
+TEST(Exchange, OfVolumeIsNotForPointsThatCannotPay) {
+  const fluid_stages::ExchangeVolume exchange{true, 0};
+  const ColdProducts rich{1e5}, poor{1e4}, empty{1e-310};
+  for (const ColdProducts* point : {&rich, &poor, &empty}) exchange(*point, 0);
+  EXPECT_DOUBLE_EQ(rich.space, 2.2);
+  EXPECT_DOUBLE_EQ(rich.scratches[0], 0.2);
+  for (const ColdProducts* point : {&poor, &empty}) {
+    EXPECT_EQ(point->space, 2);
+    EXPECT_EQ(point->scratches[0], 0);
   }
 }
 
