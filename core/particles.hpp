@@ -168,7 +168,7 @@ struct Particles {
     }
   }
   /// Calls f(bundle) for the particles of a row, whatever their bins. The last of them, of which
-  /// there may be fewer than eight, are a bundle, too: one by one they take as long as several.
+  /// there may be fewer than eight, are a bundle, too: so laws for eight are all that is needed.
   template <class F>
   KOKKOS_FORCEINLINE_FUNCTION void for_all(const Row<D>& row, const F& f) const {
     const int end = first(row.end), shift = this->shift(row);

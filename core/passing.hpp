@@ -1,9 +1,9 @@
 #pragma once
 // What the stages of one sweep pass on to each other and nobody asks for afterwards: velocity
 // gradients and work. On the host each thread has room for the particles of one row, which stays in
-// its nearest cache; as columns of all particles these values were a fifth to a quarter of what a
-// step of gas writes to memory and reads again. Elsewhere stages are kernels of their own, and
-// there is a place for each particle.
+// its nearest cache: 32 bytes a particle less with the scheme of the paper, and 4 % of the time of
+// `fast`, than columns of all particles. Elsewhere stages are kernels of their own, and there is a
+// place for each particle.
 #include "core/tile.hpp"
 
 namespace brisance {

@@ -52,8 +52,8 @@ Cost cost_of(int dim, const std::vector<std::string>& assignments) {
   return cost_of(test::scene(dim, a));
 }
 
-const Names sorting = {"find bins", "count bins", "places of bins", "order of particles",
-                       "lay tiles", "fullest row"};
+const Names sorting = {"find bins",          "count bins", "places of bins",
+                       "order of particles", "lay tiles",  "fullest row"};
 
 Names operator+(Names a, const Names& b) {
   a.insert(b.begin(), b.end());
@@ -157,7 +157,8 @@ TEST(Cost, OfWhatIsNotAskedForIsNothing) {
   }
 
   const Cost whole = without({"scheme/split length=0"});
-  EXPECT_EQ(all.names() - whole.names() - permuting, (Names{"longest particle", "longest of rows"}));
+  EXPECT_EQ(all.names() - whole.names() - permuting,
+            (Names{"longest particle", "longest of rows"}));
   EXPECT_EQ(all.bytes() - whole.bytes(), 16);  // extents
 
   EXPECT_EQ(all.names() - without({"scheme/heat conduction=0"}).names() - permuting,
