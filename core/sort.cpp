@@ -23,14 +23,15 @@ void permute(const Array<double>& from, const Array<int>& source, const Array<do
 }
 
 /// tiled <- sorted, a list of particles bin by bin, in the order of tiles; and their TileOrders.
-/// Says between which rows particles are out of place.
+/// Says between which rows particles are out of place, and how many the fullest row holds.
 template <int D>
 struct LayTiles {
   RowLayout<D> layout;
   Array<int> first, sorted, tiled;
   Array<TileOrder> order;
 
-  KOKKOS_INLINE_FUNCTION void operator()(const int k, Kokkos::MinMaxScalar<int>& moved) const {
+  KOKKOS_INLINE_FUNCTION void operator()(const int k, int& first_moved, int& last_moved,
+                                         int& fullest) const {
     const Row<D> row = layout.row(k);
     int number = k * Row<D>::tiles, differs = 0;
     for (int bin = row.begin; bin < row.end; bin += Wide::lanes, ++number) {
@@ -54,9 +55,10 @@ struct LayTiles {
       });
     }
     const int begin = first(row.begin), end = first(row.end);
+    fullest = end - begin > fullest ? end - begin : fullest;
     if (differs == 0 || begin == end) return;
-    moved.min_val = begin < moved.min_val ? begin : moved.min_val;
-    moved.max_val = end - 1 > moved.max_val ? end - 1 : moved.max_val;
+    first_moved = begin < first_moved ? begin : first_moved;
+    last_moved = end - 1 > last_moved ? end - 1 : last_moved;
   }
 };
 
@@ -116,22 +118,23 @@ int Sorter<G>::sort(Particles<G>& particles, const Lattice<G::dim>& lattice) {
   if (static_cast<int>(particles.order.extent(0)) != tiles)
     particles.order = Array<TileOrder>("order of tiles", tiles);
   const auto tiled = bin;  // the bins are not asked for any more
-  Kokkos::MinMaxScalar<int> moved;
+  int first_moved = 0, last_moved = 0, fullest = 0;
   Kokkos::parallel_reduce("lay tiles", Kokkos::RangePolicy<Space>(0, layout.rows),
                           LayTiles<G::dim>{layout, first, source, tiled, particles.order},
-                          Kokkos::MinMax<int>(moved));
+                          Kokkos::Min<int>(first_moved), Kokkos::Max<int>(last_moved),
+                          Kokkos::Max<int>(fullest));
   if (inside < count) {
     const auto left = Kokkos::make_pair(inside, count);
     Kokkos::deep_copy(Kokkos::subview(tiled, left), Kokkos::subview(source, left));
-    moved.min_val = std::min(moved.min_val, inside);
-    moved.max_val = count - 1;
+    first_moved = std::min(first_moved, inside);
+    last_moved = count - 1;
   }
 
   // Of a few that are out of place only the stretch between the first and the last is rewritten:
   // ahead of a blast nothing moves.
   using Column = Array<double>;
-  const bool any = moved.min_val <= moved.max_val;
-  const int begin = any ? moved.min_val : 0, end = any ? moved.max_val + 1 : 0;
+  const bool any = first_moved <= last_moved;
+  const int begin = any ? first_moved : 0, end = any ? last_moved + 1 : 0;
   if (end - begin > count / 2)
     particles.rotate(
         [&](const Column& from, const Column& to) { permute(from, tiled, to, 0, count); });
@@ -142,15 +145,6 @@ int Sorter<G>::sort(Particles<G>& particles, const Lattice<G::dim>& lattice) {
       Kokkos::deep_copy(Kokkos::subview(column, stretch), Kokkos::subview(spare, stretch));
     });
 
-  int fullest = 0;
-  Kokkos::parallel_reduce(
-      "fullest row", Kokkos::RangePolicy<Space>(0, layout.rows),
-      KOKKOS_LAMBDA(const int k, int& most_so_far) {
-        const Row<G::dim> row = layout.row(k);
-        const int here = first(row.end) - first(row.begin);
-        most_so_far = here > most_so_far ? here : most_so_far;
-      },
-      Kokkos::Max<int>(fullest));
   particles.make_room_for_row(fullest);
   particles.count = inside;
   return count - inside;

@@ -23,7 +23,6 @@ constexpr std::pair<std::string_view, const char*> beginnings[] = {
     {"places of bins", "sort particles"},
     {"order of", "sort particles"},
     {"lay tiles", "sort particles"},
-    {"fullest row", "sort particles"},
     {"permute", "sort particles"},
     {"longest of rows", "split particles"},
     {"count parts", "split particles"},

@@ -52,8 +52,8 @@ Cost cost_of(int dim, const std::vector<std::string>& assignments) {
   return cost_of(test::scene(dim, a));
 }
 
-const Names sorting = {"find bins",          "count bins", "places of bins",
-                       "order of particles", "lay tiles",  "fullest row"};
+const Names sorting = {"find bins", "count bins", "places of bins", "order of particles",
+                       "lay tiles"};
 
 Names operator+(Names a, const Names& b) {
   a.insert(b.begin(), b.end());
