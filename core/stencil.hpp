@@ -75,15 +75,6 @@ struct Nodes {
           value[c][k] = read(field, column + c, N::offset(lattice, k));
     });
   }
-
-  template <class To>
-  KOKKOS_FORCEINLINE_FUNCTION void add_to(const To& to, const Lattice<D>& lattice, const Tile& tile,
-                                          int column = 0) const {
-    tile.add_by([&](const auto& add) BRISANCE_INLINE {
-      for (int k = 0; k < N::count; ++k)
-        for (int c = 0; c < C; ++c) add(to, column + c, N::offset(lattice, k), value[c][k]);
-    });
-  }
 };
 
 /// A nodal field at any place in a bin: sum over nodes of N v, and its derivatives.

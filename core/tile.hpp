@@ -185,34 +185,6 @@ struct Tile {
     for_lanes([&](int lane, int b) { values[lane] = of_bin(b); });
     return Wide::read(values);
   }
-
-  /// Calls f(add) with add(to, column, offset, value), which adds there; `to` is a table or what
-  /// stands for one. Lanes without particles must have zeros.
-  template <class F>
-  KOKKOS_FORCEINLINE_FUNCTION void add_by(const F& f) const {
-    if (whole) {
-      const Wide::Flags lanes = order.lanes();
-      f([&](const auto& to, int column, int offset, const Wide& value) BRISANCE_INLINE {
-        if constexpr (std::is_same<std::decay_t<decltype(to)>, Table<double>>::value) {
-          double* there = &to(bin + offset, column);
-          (Wide::read(there) + value.permuted(lanes)).write(there);
-        } else {
-          add_one_by_one(to, column, offset, value);
-        }
-      });
-    } else {
-      f([&](const auto& to, int column, int offset, const Wide& value) {
-        add_one_by_one(to, column, offset, value);
-      });
-    }
-  }
-
- private:
-  template <class To>
-  KOKKOS_INLINE_FUNCTION void add_one_by_one(const To& to, int column, int offset,
-                                             const Wide& value) const {
-    for_lanes([&](int lane, int b) { to(b + offset, column) += value[lane]; });
-  }
 };
 
 }  // namespace brisance

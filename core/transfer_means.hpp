@@ -17,6 +17,7 @@ struct Means {
   KOKKOS_INLINE_FUNCTION void scatter(const Row<D>& row, const Kokkos::Array<Weighted, C>& what,
                                       int column, const To& to) const {
     const Particles<G>& points = rows.points;
+    typename R::template Sums<2 * C, To> sums(to, rows.lattice, column);
     rows.for_tiles(row, [&](const Tile& tile, const Base& base) {
       typename R::template Field<2 * C> sum;
       tile.for_bundles([&](const auto& b) BRISANCE_INLINE {
@@ -32,8 +33,9 @@ struct Means {
           }
         }
       });
-      sum.add_to(to, rows.lattice, tile, column);
+      sums.add(tile, sum.value);
     });
+    sums.flush();
   }
 
   /// sums <- N w v for the C columns v of a table (columns 0 .. C-1) and N w (column C), w being
@@ -42,6 +44,7 @@ struct Means {
   KOKKOS_INLINE_FUNCTION void scatter_all(const Row<D>& row, const Table<double>& values,
                                           const To& to) const {
     const Particles<G>& points = rows.points;
+    typename R::template Sums<C + 1, To> sums(to, rows.lattice);
     rows.for_tiles(row, [&](const Tile& tile, const Base& base) {
       typename R::template Field<C + 1> sum;
       tile.for_bundles([&](const auto& b) BRISANCE_INLINE {
@@ -55,8 +58,9 @@ struct Means {
           sum.value[C][k] += share;
         }
       });
-      sum.add_to(to, rows.lattice, tile);
+      sums.add(tile, sum.value);
     });
+    sums.flush();
   }
 
   /// Each of C values <- keep * value + factor * sum over nodes of N field.

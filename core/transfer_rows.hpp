@@ -7,6 +7,7 @@
 #include "core/schedule.hpp"
 #include "core/shape.hpp"
 #include "core/stencil.hpp"
+#include "core/tile_sums.hpp"
 
 namespace brisance {
 
@@ -27,6 +28,8 @@ struct Rows {
   using Field = Nodes<G, S, C>;
   template <int C>
   using Smooth = Interpolant<G, S, C>;
+  template <int C, class To>
+  using Sums = TileSums<D, S::width, C, To>;
   using Base = Wide[D];
 
   /// The velocities of the nodes of a tile.
@@ -90,6 +93,7 @@ struct Rows {
   /// (A.1), (A.2); with an affine field m (v + C r) as in APIC (Jiang et al. 2015).
   template <class To>
   KOKKOS_INLINE_FUNCTION void momentum(const Row<D>& row, const To& to) const {
+    Sums<D + 1, To> sums(to, lattice);
     for_tiles(row, [&](const Tile& tile, const Base& base) {
       Field<D + 1> sum;
       tile.for_bundles([&](const auto& b) BRISANCE_INLINE {
@@ -112,8 +116,9 @@ struct Rows {
           }
         }
       });
-      sum.add_to(to, lattice, tile);
+      sums.add(tile, sum.value);
     });
+    sums.flush();
   }
 
   /// (A.3): -V sigma . grad N. With cell quadrature the mean stress of the cell acts through the
@@ -121,6 +126,7 @@ struct Rows {
   template <Stress kind, class To>
   KOKKOS_INLINE_FUNCTION void force(const Row<D>& row, const Table<double>& scale,
                                     const To& to) const {
+    Sums<D, To> sums(to, lattice);
     for_tiles(row, [&](const Tile& tile, [[maybe_unused]] const Base& base) {
       Field<D> sum;
       if constexpr (M::cells) {
@@ -136,8 +142,9 @@ struct Rows {
           total.act(sum, lattice.per_h, [&](int k, int d) { return gradient(at, k, d); });
         });
       }
-      sum.add_to(to, lattice, tile);
+      sums.add(tile, sum.value);
     });
+    sums.flush();
   }
 
   /// Stress times volume. [J/m^(3-D)]
@@ -251,6 +258,7 @@ struct Rows {
   KOKKOS_INLINE_FUNCTION void cells(const Row<D>& row, const To& to) const {
     constexpr int W = S::holding;
     using C = Around<D, W>;
+    TileSums<D, W, D + 1, To> sums(to, lattice, 0, first_cell());
     for_tiles(row, [&](const Tile& tile, const Base& base) {
       Wide sum[D + 1][C::count];
       tile.for_bundles([&](const auto& b) BRISANCE_INLINE {
@@ -269,11 +277,9 @@ struct Rows {
             }
           }
       });
-      tile.add_by([&](const auto& add) BRISANCE_INLINE {
-        for (int k = 0; k < C::count; ++k)
-          for (int c = 0; c <= D; ++c) add(to, c, C::offset(lattice, k) + first_cell(), sum[c][k]);
-      });
+      sums.add(tile, sum);
     });
+    sums.flush();
   }
 
   /// sums(column) <- V of each particle, spread over the cells that its shape overlaps.
@@ -281,8 +287,9 @@ struct Rows {
   KOKKOS_INLINE_FUNCTION void overlap(const Row<D>& row, int column, const To& to) const {
     constexpr int W = S::cells;
     using C = Around<D, W>;
+    TileSums<D, W, 1, To> sums(to, lattice, column);
     for_tiles(row, [&](const Tile& tile, const Base& base) {
-      Wide sum[C::count];
+      Wide sum[1][C::count];
       tile.for_bundles([&](const auto& b) BRISANCE_INLINE {
         const At at = stencil(base, b);
         Wide w[D][W];
@@ -294,13 +301,12 @@ struct Rows {
         for (int k = 0; k < C::count; ++k) {
           Wide share = points.get(points.volume, b);
           for (int d = 0; d < D; ++d) share *= w[d][C::digit(k, d)];
-          sum[k] += share;
+          sum[0][k] += share;
         }
       });
-      tile.add_by([&](const auto& add) BRISANCE_INLINE {
-        for (int k = 0; k < C::count; ++k) add(to, column, C::offset(lattice, k), sum[k]);
-      });
+      sums.add(tile, sum);
     });
+    sums.flush();
   }
 
  private:

@@ -104,6 +104,14 @@ struct Wide {
     return of([&](int lane) { return v[which[lane]]; });
 #endif
   }
+  /// The last `count` lanes of a, then the first of b.
+  KOKKOS_FORCEINLINE_FUNCTION static Wide behind(const Wide& a, const Wide& b, int count) {
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDA_ARCH__)
+    return __builtin_shuffle(a.v, b.v, Flags{8, 9, 10, 11, 12, 13, 14, 15} - count);
+#else
+    return of([&](int lane) { return lane < count ? a[lanes - count + lane] : b[lane - count]; });
+#endif
+  }
   KOKKOS_FORCEINLINE_FUNCTION static void permute(const std::int64_t (&from)[lanes],
                                                   const Flags& which, std::int64_t (&to)[lanes]) {
 #if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDA_ARCH__)
@@ -127,6 +135,16 @@ struct Wide {
 #endif
   }
 
+  /// Eight numbers from wherever they lie.
+  KOKKOS_FORCEINLINE_FUNCTION static Wide gather(const double* from, const int (&at)[lanes]) {
+#if defined(__GNUC__) && !defined(__CUDA_ARCH__) && !defined(__HIP_DEVICE_COMPILE__)
+    // Not by way of an array: reading it would wait for the eight stores.
+    return Values{from[at[0]], from[at[1]], from[at[2]], from[at[3]],
+                  from[at[4]], from[at[5]], from[at[6]], from[at[7]]};
+#else
+    return of([&](int lane) { return from[at[lane]]; });
+#endif
+  }
   /// 0, 1, ... 7.
   KOKKOS_FORCEINLINE_FUNCTION static Wide count() {
     constexpr double digits[lanes] = {0, 1, 2, 3, 4, 5, 6, 7};
