@@ -65,7 +65,9 @@ class Group {
   GroupScheme scheme;
   Particles<G> particles;
   std::unique_ptr<Transfer<G>> transfer;
-  Signals fastest;     ///< in the step under way
+  Signals fastest;         ///< in the step under way
+  bool in_motion = false;  ///< whether the last step moved most particles to other places, and none
+                           ///< were split or left: how the next sorts them
   Array<double> debt;  ///< of each bin: energy that its fluids were left with and owe [J]; may be
                        ///< empty, and is the same for all groups
 

@@ -9,11 +9,14 @@ namespace {
 
 /// From one column to the next, in doubles: columns that start at the same place of a memory page
 /// would push each other out of the cache.
-std::size_t stride_of(int capacity) {
+std::size_t stride_of(int places) {
   constexpr std::size_t page = 512, apart = 40;
-  const auto n = static_cast<std::size_t>(capacity);
+  const auto n = static_cast<std::size_t>(places);
   return n < 8 * page ? n : (n + page - 1) / page * page + apart;
 }
+
+/// Three lines of a lattice of 120, as a part of all.
+constexpr int usual_margin = 40;
 
 Table<double> no_column(int components) { return Table<double>("none", 0, components); }
 
@@ -50,12 +53,27 @@ template <class G>
 void Particles<G>::reserve(int needed) {
   if (needed > capacity_) {
     capacity_ = std::max(needed, capacity_ + capacity_ / 4);
-    Kokkos::resize(store_, stride_of(capacity_), carried_ + 1);
+    margin_ = std::max(margin_, capacity_ / usual_margin);
+    Kokkos::resize(store_, stride_of(capacity_ + margin_), carried_ + 1);
     each_column([&](const char* name, Table<double>& column, bool carried) {
       if (!carried) column = Table<double>(std::string(name), capacity_, column.extent(1));
     });
     Kokkos::resize(bin, capacity_);
   }
+  lay_out();
+}
+
+template <class G>
+void Particles<G>::make_margin(int needed) {
+  if (std::max(room_below(), room_above()) >= needed) return;
+  margin_ = offset_ + needed + needed / 4;
+  Kokkos::resize(store_, stride_of(capacity_ + margin_), carried_ + 1);
+  lay_out();
+}
+
+template <class G>
+void Particles<G>::slide(int places) {
+  offset_ += places;
   lay_out();
 }
 
@@ -82,7 +100,7 @@ Particles<G> Particles<G>::none() const {
   others.first = {};
   others.order = {};
   others.bin = {};
-  others.count = others.capacity_ = 0;
+  others.count = others.capacity_ = others.margin_ = others.offset_ = 0;
   others.lay_out();
   return others;
 }
@@ -93,7 +111,8 @@ void Particles<G>::lay_out() {
   each_column([&](const char*, Table<double>& column, bool carried) {
     if (!carried) return;
     const int end = next + static_cast<int>(column.extent(1));
-    column = Kokkos::subview(store_, Kokkos::make_pair(0, capacity_), Kokkos::make_pair(next, end));
+    column = Kokkos::subview(store_, Kokkos::make_pair(offset_, offset_ + capacity_),
+                             Kokkos::make_pair(next, end));
     next = end;
   });
   static_assert(sizeof(std::int64_t) == sizeof(double));

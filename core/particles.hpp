@@ -284,16 +284,28 @@ struct Particles {
     for (int k = 0; k < carried_; ++k) f(slot(k + shifted_), slot(shifted_ ? 0 : carried_));
   }
 
+  // Each column has a margin, before or behind it, so that it can be rewritten from one end on a
+  // little further down, or from the other a little further up (core/wavefront.hpp).
+
+  /// How far down the columns can be shifted, and how far up.
+  int room_below() const { return offset_; }
+  int room_above() const { return margin_ - offset_; }
+  /// Makes room to shift by so many places, in one direction or the other.
+  void make_margin(int needed);
+  /// What has been rewritten so many places further up is there now.
+  void slide(int places);
+
  private:
   Table<double> store_;    ///< the carried columns, ids, and the spare one, side by side
   Table<double> passing_;  ///< what is not carried of gradient and work
   bool by_row_ = false;    ///< whether that has room for a row of each thread; else for all
   int row_room_ = 0;
   int capacity_ = 0, carried_ = 0;
-  bool shifted_ = false;  ///< whether the spare column is the first, else the last
+  int margin_ = 0, offset_ = 0;  ///< places beyond the capacity; those of them before the first
+  bool shifted_ = false;         ///< whether the spare column is the first, else the last
 
   Array<double> slot(int k) const {
-    return Kokkos::subview(store_, Kokkos::make_pair(0, capacity_), k);
+    return Kokkos::subview(store_, Kokkos::make_pair(offset_, offset_ + capacity_), k);
   }
   void lay_out();
 };

@@ -44,19 +44,18 @@ class Sweep {
     }
   }
 
-  /// Works on all rows and forgets the stages. Profilers see the names of all of them, apart by
-  /// commas; what a second launch with " (2)" does belongs to the first.
+  /// Works on all rows and forgets the stages.
   void run() {
     if (stages_.empty()) return;
-    const std::string name = watched() ? names() : "sweep";
+    const std::string name = this->name();
     const Kokkos::Experimental::UniqueToken<Space> threads;
-    const auto work = [stages = &stages_, layout = layout_, threads](int block) {
+    const auto work = [this, threads](int block) {
       const int thread = threads.acquire();
-      const int end = std::min(layout.rows, (block + 1) * layout.rows_in_block);
-      for (int k = block * layout.rows_in_block; k < end; ++k) {
-        Row<D> row = layout.row(k);
+      const int end = std::min(layout_.rows, (block + 1) * layout_.rows_in_block);
+      for (int k = block * layout_.rows_in_block; k < end; ++k) {
+        Row<D> row = layout_.row(k);
         row.thread = thread;
-        for (const auto& stage : *stages) (*stage)(row);
+        work_on(row);
       }
       threads.release(thread);
     };
@@ -70,6 +69,19 @@ class Sweep {
     } else {
       Kokkos::parallel_for(name, Shared(0, layout_.blocks), work);
     }
+    forget();
+  }
+
+  // For those who choose the rows themselves, which nothing may ask for that adds to nodes:
+
+  const RowLayout<D>& layout() const { return layout_; }
+  void work_on(const Row<D>& row) const {
+    for (const auto& stage : stages_) (*stage)(row);
+  }
+  /// Profilers see the names of all stages, apart by commas; what a second launch with " (2)" does
+  /// belongs to the first.
+  std::string name() const { return watched() ? names() : "sweep"; }
+  void forget() {
     stages_.clear();
     colours_ = duplicates_ = false;
   }

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/geometry.hpp"
-#include "core/row.hpp"
+#include "core/lay_tiles.hpp"
 
 namespace brisance {
 namespace {
@@ -22,8 +22,8 @@ void permute(const Array<double>& from, const Array<int>& source, const Array<do
       KOKKOS_LAMBDA(const int i) { to(i) = from(source(i)); });
 }
 
-/// tiled <- sorted, a list of particles bin by bin, in the order of tiles; and their TileOrders.
-/// Says between which rows particles are out of place, and how many the fullest row holds.
+/// tiled <- sorted, a list of particles bin by bin, in the order of tiles. Says between which rows
+/// particles are out of place, and how many the fullest row holds.
 template <int D>
 struct LayTiles {
   RowLayout<D> layout;
@@ -33,30 +33,16 @@ struct LayTiles {
   KOKKOS_INLINE_FUNCTION void operator()(const int k, int& first_moved, int& last_moved,
                                          int& fullest) const {
     const Row<D> row = layout.row(k);
-    int number = k * Row<D>::tiles, differs = 0;
-    for (int bin = row.begin; bin < row.end; bin += Wide::lanes, ++number) {
-      int counts[Wide::lanes];
-      bool falling = true;
-      for (int b = 0; b < Wide::lanes; ++b) {
-        counts[b] = bin + b < row.end ? first(bin + b + 1) - first(bin + b) : 0;
-        falling = falling && (b == 0 || counts[b] <= counts[b - 1]);
-      }
-      const TileOrder lanes = falling ? TileOrder{} : TileOrder::by(counts);
-      order(number) = lanes;
-      const Tile tile(first, bin, row.end, row.line_end, lanes, first(row.end));
-      int next[Wide::lanes] = {};
-      tile.for_lanes([&](int lane, int b) { next[lane] = first(b); });
-      tile.for_bundles([&](const auto& bundle) {
-        for (int lane = 0; lane < bundle.size(); ++lane) {
-          const int place = bundle.first + lane, source = sorted(next[lane]++);
+    int differs = 0;
+    lay_tiles(
+        row, first, order, [&](int place) { return sorted(place); },
+        [&](int place, int source) {
           tiled(place) = source;
           differs |= source ^ place;
-        }
-      });
-    }
+        });
     const int begin = first(row.begin), end = first(row.end);
     fullest = end - begin > fullest ? end - begin : fullest;
-    if (differs == 0 || begin == end) return;
+    if (differs == 0) return;
     first_moved = begin < first_moved ? begin : first_moved;
     last_moved = end - 1 > last_moved ? end - 1 : last_moved;
   }
@@ -135,7 +121,8 @@ int Sorter<G>::sort(Particles<G>& particles, const Lattice<G::dim>& lattice) {
   using Column = Array<double>;
   const bool any = first_moved <= last_moved;
   const int begin = any ? first_moved : 0, end = any ? last_moved + 1 : 0;
-  if (end - begin > count / 2)
+  most_moved_ = end - begin > count / 2;
+  if (most_moved_)
     particles.rotate(
         [&](const Column& from, const Column& to) { permute(from, tiled, to, 0, count); });
   else if (any)

@@ -16,12 +16,16 @@ class Sorter {
   /// The same, after it has found the bins.
   int sort(Particles<G>& particles, const Transfer<G>& transfer, const Lattice<G::dim>& lattice);
 
+  /// Whether the last sort rewrote all columns from one end to the other.
+  bool most_moved() const { return most_moved_; }
+
   /// Memory of the work arrays. [B]
   std::size_t bytes() const { return (source_.span() + counts_.span()) * sizeof(int); }
 
  private:
   Array<int> source_;
   Table<int> counts_;  ///< (chunk of particles, bin): first the count, then the next free place
+  bool most_moved_ = false;
 };
 
 }  // namespace brisance

@@ -16,6 +16,7 @@ class Step {
   State<G>& s;
   Exchange<G>& others;
   double dt = 0;
+  bool in_waves = false;           ///< whether the last sweep sorts particles, too
   Sweep<D> sweep{s.grid.lattice};  ///< what is to be done before the next look at the nodes
 
   void prepare() {
@@ -67,7 +68,6 @@ class Step {
       g->finish(sweep, s.grid, dt);
       to_new_order(*g);
     }
-    sweep.run();
     new_order();
     relax_fluids();
     if (s.scheme.relaxes_stress) relax_stress(s.groups, s.grid, s.means, dt);
@@ -90,7 +90,6 @@ class Step {
       g->find_signals(sweep);
       to_new_order(*g);
     }
-    sweep.run();
     new_order();
   }
 
@@ -203,12 +202,18 @@ class Step {
     for (std::size_t c = 0; c < s.grid.own.size(); ++c) push_walls(images(s.grid.before, c), 1);
     const auto before = s.grid.before, after = s.grid.after, force = sums.total;
     const double step = dt;
-    Kokkos::parallel_for(
-        "move grid", nodes(), KOKKOS_LAMBDA(const int n) {
+    double fastest = 0;
+    Kokkos::parallel_reduce(
+        "move grid", nodes(),
+        KOKKOS_LAMBDA(const int n, double& so_far) {
           const double m = before(n, D);
-          for (int d = 0; d < D; ++d)
+          for (int d = 0; d < D; ++d) {
             after(n, d) = before(n, d) + (m > 0 ? step * force(n, d) / m : 0);
-        });
+            so_far = most(so_far, most(fabs(before(n, d)), fabs(after(n, d))));
+          }
+        },
+        Kokkos::Max<double>(fastest));
+    in_waves = s.wavefront.takes(s.groups, s.grid.lattice, s.grid.boundaries, fastest * dt);
     fill(after, D, D, s.grid.lattice, s.grid.boundaries);
     for (std::size_t c = 0; c < s.grid.own.size(); ++c) push_walls(images(after, c), -1);
   }
@@ -258,14 +263,25 @@ class Step {
     if (s.splits(g)) find_longest(sweep, g.particles, s.longest);
   }
 
+  /// Does what the sweep holds, and sorts.
   void new_order() {
+    in_waves ? s.wavefront.run(sweep) : sweep.run();
     const bool any_long = any_are_long();
     for (auto& g : s.groups) {
-      bool known = true;
-      if (any_long && s.splits(*g))
-        known = split(g->particles, s.grid.lattice, s.grid.boundaries, s.scheme.split_length,
-                      s.next_id) == 0;
-      arrange(*g, known);
+      // Those that all move are sorted first, since that is done already where waves run.
+      const bool sorted_first = g->in_motion, in_wave = in_waves && s.wavefront.sorted(*g);
+      if (in_wave) {
+        g->in_motion = s.wavefront.most_moved(*g);
+        if (s.wavefront.any_left(*g)) arrange(*g);
+      } else if (sorted_first) {
+        arrange(*g, true);
+      }
+      const int parts = any_long && s.splits(*g)
+                            ? split(g->particles, s.grid.lattice, s.grid.boundaries,
+                                    s.scheme.split_length, s.next_id)
+                            : 0;
+      if (parts > 0 || !sorted_first) arrange(*g, parts == 0);
+      g->in_motion = g->in_motion && parts == 0;
     }
     others.migrate(s.groups);
   }
@@ -276,6 +292,7 @@ class Step {
     if (!known) g.transfer->find_bins(s.grid.lattice, g.particles);
     const int left = s.sorter.sort(g.particles, s.grid.lattice);
     const int count = g.particles.count;
+    g.in_motion = s.sorter.most_moved() && left == 0;
     if (left == 0) return;
     s.outflow += g.totals(count, count + left, g.transfer->affine_inertia(s.grid.lattice.h));
     s.left += left;

@@ -8,6 +8,7 @@
 #include "core/sort.hpp"
 #include "core/springs.hpp"
 #include "core/stress_relaxation.hpp"
+#include "core/wavefront.hpp"
 
 namespace brisance {
 
@@ -45,6 +46,7 @@ struct State {
   Accumulator spare;  ///< of relaxations, which read one while they write the other, or of forces
   Accumulator means;  ///< of stress; empty unless the scheme relaxes it
   Sorter<G> sorter;
+  Wavefront<G> wavefront;
   Springs<G> springs;
   Sleep<G> sleep;
 

@@ -151,6 +151,9 @@ void keep(Archive& archive, State<G>& state) {
       long floors = group->floors();
       archive.keep("floors", floors);
       group->set_floors(floors);
+      long in_motion = group->in_motion;
+      archive.keep("in motion", in_motion);
+      group->in_motion = in_motion != 0;
       if (!state.scheme.midpoint) keep_signals(archive, *group, state.grid.lattice);
       keep_particles(archive, group->particles);
     }
