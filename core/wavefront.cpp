@@ -96,7 +96,8 @@ struct Wavefront<G>::Wave {
     return most;
   }
 
-  bool choose(const std::vector<std::unique_ptr<Group<G>>>& groups, bool wraps_);
+  bool choose(const std::vector<std::unique_ptr<Group<G>>>& groups, bool wraps_, double farthest);
+  int how_many_wrap(const Stream<G>& s, double farthest) const;
   void cut(const std::vector<std::unique_ptr<Group<G>>>& groups, int wanted);
   void find_tails();
 
@@ -149,9 +150,27 @@ struct Wavefront<G>::Wave {
   void roll(const Sweep<D>& sweep, int chunk, int thread);
 };
 
+/// How many particles may cross a periodic end, at most, in one direction.
+template <class G>
+int Wavefront<G>::Wave::how_many_wrap(const Stream<G>& s, double farthest) const {
+  const Particles<G>& points = s.particles();
+  const Lattice<D>& lattice = layout.lattice;
+  const double low = lattice.origin[D - 1], high = low + lattice.cells[D - 1] * lattice.h;
+  const auto count = [&](int from, int to) {
+    int sum = 0;
+    for (int p = first_of(s, from); p < first_of(s, to); ++p) {
+      const double x = points.position(p, D - 1);
+      sum += x < low + 1.001 * farthest || x > high - 1.001 * farthest;
+    }
+    return sum;
+  };
+  return std::max(count(0, lines_that_wrap), count(lines - lines_that_wrap, lines));
+}
+
 /// Which streams go, and which way.
 template <class G>
-bool Wavefront<G>::Wave::choose(const std::vector<std::unique_ptr<Group<G>>>& groups, bool wraps_) {
+bool Wavefront<G>::Wave::choose(const std::vector<std::unique_ptr<Group<G>>>& groups, bool wraps_,
+                                double farthest) {
   wraps = wraps_;
   streams.resize(groups.size());
   const Group<G>* largest = nullptr;
@@ -162,9 +181,7 @@ bool Wavefront<G>::Wave::choose(const std::vector<std::unique_ptr<Group<G>>>& gr
     Particles<G>& particles = s.particles();
     s.taken = s.group->in_motion && particles.count > 0;
     if (!s.taken) continue;
-    if (wraps)
-      s.wrapping = std::max(first_of(s, lines_that_wrap),
-                            particles.count - first_of(s, lines - lines_that_wrap));
+    s.wrapping = wraps ? how_many_wrap(s, farthest) : 0;
     shifts[k] = fullest(s, 3) + s.wrapping;
     s.taken = shifts[k] < particles.count / 8;  // else there are too few lines
     if (!s.taken) continue;
@@ -526,7 +543,7 @@ bool Wavefront<G>::takes(const std::vector<std::unique_ptr<Group<G>>>& groups,
   if (wave_ == nullptr) wave_ = std::make_unique<Wave>(lattice);
   for (Stream<G>& s : wave_->streams) s.taken = false;
   if (!(farthest < 0.999 * lattice.h)) return false;
-  if (!wave_->choose(groups, boundaries.side[D - 1][0] == Side::periodic)) return false;
+  if (!wave_->choose(groups, boundaries.side[D - 1][0] == Side::periodic, farthest)) return false;
   const int threads = Space().concurrency();
   const int chunks = chunks_ > 0 ? chunks_ : threads == 1 ? 1 : chunks_per_thread * threads;
   wave_->cut(groups, std::min(chunks, std::max(1, wave_->lines / least_lines)));
