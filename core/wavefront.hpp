@@ -16,6 +16,9 @@
 namespace brisance {
 
 template <class G>
+struct Wave;
+
+template <class G>
 class Wavefront {
  public:
   static constexpr int D = G::dim;
@@ -46,9 +49,8 @@ class Wavefront {
   std::size_t bytes() const;
 
  private:
-  struct Wave;
   int chunks_;
-  std::unique_ptr<Wave> wave_;
+  std::unique_ptr<Wave<G>> wave_;
 };
 
 }  // namespace brisance

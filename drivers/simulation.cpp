@@ -144,7 +144,7 @@ class SimulationIn final : public Simulation {
     f.grid_bytes =
         static_cast<double>(state_.grid.bytes() + state_.sums.bytes() + state_.spare.bytes() +
                             state_.means.bytes() + state_.sleep.bytes());
-    f.sort_bytes = static_cast<double>(state_.sorter.bytes());
+    f.sort_bytes = static_cast<double>(state_.sorter.bytes() + state_.wavefront.bytes());
     return f;
   }
 

@@ -24,6 +24,7 @@ constexpr std::pair<std::string_view, const char*> beginnings[] = {
     {"order of", "sort particles"},
     {"lay tiles", "sort particles"},
     {"permute", "sort particles"},
+    {"put ends of chunks aside", "sort particles"},
     {"longest of rows", "split particles"},
     {"count parts", "split particles"},
     {"place parts", "split particles"},
