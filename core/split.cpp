@@ -40,6 +40,18 @@ void find_longest(Sweep<G::dim>& in, const Particles<G>& points, const Array<dou
       });
 }
 
+double take_longest(const Array<double>& of_rows) {
+  double longest = 0;
+  Kokkos::parallel_reduce(
+      "longest of rows", Kokkos::RangePolicy<Space>(0, static_cast<int>(of_rows.extent(0))),
+      KOKKOS_LAMBDA(const int k, double& so_far) {
+        so_far = most(so_far, of_rows(k));
+        of_rows(k) = 0;
+      },
+      Kokkos::Max<double>(longest));
+  return longest;
+}
+
 template <class G>
 int split(Particles<G>& particles, const Lattice<G::dim>& lattice,
           const Boundaries<G::dim>& boundaries, double length, std::int64_t& next_id) {

@@ -11,6 +11,9 @@ namespace brisance {
 template <class G>
 void find_longest(Sweep<G::dim>& in, const Particles<G>& particles, const Array<double>& of_rows);
 
+/// The greatest of the lengths of rows, which are 0 afterwards. [m]
+double take_longest(const Array<double>& of_rows);
+
 /// Cuts each particle in two along every direction in which it is longer than `length` cells. The
 /// parts share its mass and volume and copy all that is intensive, so mass, momentum and energy are
 /// exact. New particles get ids from `next_id` on. Returns how many were added.

@@ -268,14 +268,9 @@ class Step {
     in_waves ? s.wavefront.run(sweep) : sweep.run();
     const bool any_long = any_are_long();
     for (auto& g : s.groups) {
-      // Those that all move are sorted first, since that is done already where waves run.
-      const bool sorted_first = g->in_motion, in_wave = in_waves && s.wavefront.sorted(*g);
-      if (in_wave) {
-        g->in_motion = s.wavefront.most_moved(*g);
-        if (s.wavefront.any_left(*g)) arrange(*g);
-      } else if (sorted_first) {
-        arrange(*g, true);
-      }
+      // Where most move a wave has sorted already, or would have: parts come after that.
+      const bool sorted_first = g->in_motion;
+      if (sorted_first) sort_moved(*g);
       const int parts = any_long && s.splits(*g)
                             ? split(g->particles, s.grid.lattice, s.grid.boundaries,
                                     s.scheme.split_length, s.next_id)
@@ -284,6 +279,15 @@ class Step {
       g->in_motion = g->in_motion && parts == 0;
     }
     others.migrate(s.groups);
+  }
+
+  void sort_moved(Group<G>& g) {
+    if (!in_waves || !s.wavefront.sorted(g)) {
+      arrange(g, true);
+      return;
+    }
+    g.in_motion = s.wavefront.most_moved(g);
+    if (s.wavefront.any_left(g)) arrange(g);
   }
 
   /// Particles into their bins, where these are known already; those that have left are written
@@ -298,20 +302,11 @@ class Step {
     s.left += left;
   }
 
-  /// Whether a particle is to be split; forgets the lengths of the rows.
+  /// Whether a particle is to be split.
   bool any_are_long() const {
-    if (std::none_of(s.groups.begin(), s.groups.end(), [&](auto& g) { return s.splits(*g); }))
-      return false;
-    const auto longest = s.longest;
-    double all = 0;
-    Kokkos::parallel_reduce(
-        "longest of rows", Kokkos::RangePolicy<Space>(0, static_cast<int>(longest.extent(0))),
-        KOKKOS_LAMBDA(const int k, double& so_far) {
-          so_far = most(so_far, longest(k));
-          longest(k) = 0;
-        },
-        Kokkos::Max<double>(all));
-    return all > s.scheme.split_length * s.grid.lattice.h;
+    const bool asked =
+        std::any_of(s.groups.begin(), s.groups.end(), [&](auto& g) { return s.splits(*g); });
+    return asked && take_longest(s.longest) > s.scheme.split_length * s.grid.lattice.h;
   }
 
   Kokkos::RangePolicy<Space> nodes() const {
