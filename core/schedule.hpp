@@ -74,7 +74,6 @@ class Sweep {
 
   // For those who choose the rows themselves, which nothing may ask for that adds to nodes:
 
-  const RowLayout<D>& layout() const { return layout_; }
   void work_on(const Row<D>& row) const {
     for (const auto& stage : stages_) (*stage)(row);
   }

@@ -124,7 +124,7 @@ struct Wave {
     return wraps && (l < lines_that_wrap || l >= lines - lines_that_wrap);
   }
   template <class F>
-  void for_sources(const Stream<G>& s, int l, const F& f) const;
+  void for_sources(int l, const F& f) const;
   void sort_line(Stream<G>& s, Part& part, int l) const;
   int count(Stream<G>& s, int l) const;
   void close(Stream<G>& s, Part& part, const Chunk& c, int l) const;

@@ -77,7 +77,7 @@ void Wave<G>::prepare(Stream<G>& s, int chunk) {
   s.first(begin) = c.begin == 0 ? 0 : first_of(s, c.begin) + flow(s, c.begin);
   if (c.end == lines) s.first(end) = s.first(end + 1) = s.particles().count;
   part.coming.resize(static_cast<std::size_t>(s.planes) * bins_in_plane());
-  part.tiled.resize(2 * std::abs(s.shift));
+  part.tiled.resize(2 * std::abs(s.shift) + Wide::lanes);  // the last eight may reach over the end
 }
 
 /// Particles of a line to the bins that they come into, in the order in which they are or, where
@@ -103,7 +103,7 @@ void Wave<G>::append(Stream<G>& s, Part& part, int l, const Bins& to) const {
 /// Calls f(line) for those from which particles may come into a line, in the order of particles.
 template <class G>
 template <class F>
-void Wave<G>::for_sources(const Stream<G>&, int l, const F& f) const {
+void Wave<G>::for_sources(int l, const F& f) const {
   if (comes_around(l) && l >= lines - lines_that_wrap)
     for (int k = 0; k < lines_that_wrap; ++k) f(k);
   for (int k = std::max(l - 1, 0); k <= std::min(l + 1, lines - 1); ++k) f(k);
@@ -119,7 +119,7 @@ int Wave<G>::count(Stream<G>& s, int l) const {
   int* const next = s.next.data();
   if (comes_around(l)) {
     std::fill(next + here.begin, next + here.end, 0);
-    for_sources(s, l, [&](int from) {
+    for_sources(l, [&](int from) {
       for (int p = first_of(s, from); p < first_of(s, from + 1); ++p) {
         const int b = bin_of(s.particles().bin(p), from);
         if (here.holds(b)) ++next[b];
@@ -159,7 +159,7 @@ void Wave<G>::sort_line(Stream<G>& s, Part& part, int l) const {
   const int begin = s.first(here.begin);
   part.sorted.resize(s.first(here.end) - begin);
   int* const next = s.next.data();
-  for_sources(s, l, [&](int from) {
+  for_sources(l, [&](int from) {
     for (int p = first_of(s, from); p < first_of(s, from + 1); ++p) {
       const int b = bin_of(s.particles().bin(p), from);
       if (here.holds(b)) part.sorted[s.first(b) - begin + next[b]++] = p;
