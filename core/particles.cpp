@@ -65,8 +65,8 @@ void Particles<G>::reserve(int needed) {
 
 template <class G>
 void Particles<G>::make_margin(int needed) {
-  if (std::max(room_below(), room_above()) >= needed) return;
-  margin_ = offset_ + needed + needed / 4;
+  if (margin_ >= needed) return;
+  margin_ = needed + needed / 4;
   Kokkos::resize(store_, stride_of(capacity_ + margin_), carried_ + 1);
   lay_out();
 }
@@ -116,7 +116,7 @@ void Particles<G>::lay_out() {
     next = end;
   });
   static_assert(sizeof(std::int64_t) == sizeof(double));
-  id = Array<std::int64_t>(reinterpret_cast<std::int64_t*>(slot(next).data()), capacity_);
+  id = Array<std::int64_t>(reinterpret_cast<std::int64_t*>(slot(next, offset_).data()), capacity_);
   if (!acts_apart) acting = stress;
   const int of_gradient = gradient_lasts ? 0 : D * D;
   const auto passing = [&](int from, int to) {

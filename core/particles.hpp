@@ -271,17 +271,22 @@ struct Particles {
   /// Sorting writes each column into its neighbour's place, so that one spare column is all it
   /// needs: calls f(from, to) for the columns that are carried, ids included, in an order in which
   /// none is overwritten before it is read. They are known under their names again afterwards.
+  /// All lie at the beginning of their margins then.
   template <class F>
   void rotate(const F& f) {
-    for (int k = 0; k < carried_; ++k)
-      shifted_ ? f(slot(k + 1), slot(k)) : f(slot(carried_ - 1 - k), slot(carried_ - k));
+    for (int k = 0; k < carried_; ++k) {
+      const int from = shifted_ ? k + 1 : carried_ - 1 - k, to = shifted_ ? k : carried_ - k;
+      f(slot(from, offset_), slot(to, 0));
+    }
     shifted_ = !shifted_;
+    offset_ = 0;
     lay_out();
   }
   /// Calls f(column, spare) for the same columns, which stay in their places.
   template <class F>
   void each_slot(const F& f) const {
-    for (int k = 0; k < carried_; ++k) f(slot(k + shifted_), slot(shifted_ ? 0 : carried_));
+    for (int k = 0; k < carried_; ++k)
+      f(slot(k + shifted_, offset_), slot(shifted_ ? 0 : carried_, offset_));
   }
 
   // Each column has a margin, before or behind it, so that it can be rewritten from one end on a
@@ -290,7 +295,7 @@ struct Particles {
   /// How far down the columns can be shifted, and how far up.
   int room_below() const { return offset_; }
   int room_above() const { return margin_ - offset_; }
-  /// Makes room to shift by so many places, in one direction or the other.
+  /// Makes room to shift by so many places from the beginning.
   void make_margin(int needed);
   /// What has been rewritten so many places further up is there now.
   void slide(int places);
@@ -304,8 +309,8 @@ struct Particles {
   int margin_ = 0, offset_ = 0;  ///< places beyond the capacity; those of them before the first
   bool shifted_ = false;         ///< whether the spare column is the first, else the last
 
-  Array<double> slot(int k) const {
-    return Kokkos::subview(store_, Kokkos::make_pair(offset_, offset_ + capacity_), k);
+  Array<double> slot(int k, int offset) const {
+    return Kokkos::subview(store_, Kokkos::make_pair(offset, offset + capacity_), k);
   }
   void lay_out();
 };

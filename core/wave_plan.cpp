@@ -57,9 +57,11 @@ bool Wave<G>::choose(const std::vector<std::unique_ptr<Group<G>>>& groups, bool 
     Stream<G>& s = streams[k];
     const int room = up ? s.particles().room_below() : s.particles().room_above();
     s.taken = s.taken && room >= shifts[k];
-    s.shift = up ? -shifts[k] : shifts[k];
+    // Up by an eighth more, if there is room, since the next wave, down again, may need more. If it
+    // needs more than that, an ordinary sort brings all to the beginning of their margins.
+    s.shift = up ? -room : std::min(room, shifts[k] + shifts[k] / 8);
   }
-  return largest != nullptr;
+  return std::any_of(streams.begin(), streams.end(), [](const auto& s) { return s.taken; });
 }
 
 /// Into chunks of about as many particles.
