@@ -1,10 +1,10 @@
 #pragma once
 // Sorting within a sweep. In a step no particle moves by a cell, so those of a line of bins come
 // from this line and the two beside it. A wave runs over the lines: the stages of the sweep work on
-// one, and a few lines behind them the particles come into their new order, while they lie in the
+// one, and one line behind them the particles come into their new order, while they lie in the
 // cache. They are rewritten into the memory they come from, a little further down; the next wave
 // runs from the other end and writes them further up. The order is that of core/sort.hpp, which
-// goes over all columns in the main memory once more and takes three times as long.
+// goes over all columns in the main memory once more: 14 ns a particle with `fast`, in place of 9.
 //
 // Threads take chunks of lines. What a chunk needs of lines near its ends is worked on and put
 // aside before: the chunk beside it writes there.
