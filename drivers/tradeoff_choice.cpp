@@ -10,6 +10,8 @@ namespace {
 
 /// Runs that are cheaper tell of the program's start more than of steps. [s]
 constexpr double least_cost = 0.1;
+/// Costs within this factor are alike: measured twice, those of tubes differed by up to so much.
+constexpr double alike = 1.5;
 
 /// A number above 0 and what stands behind it.
 std::pair<double, std::string> number_with_unit(const std::string& text, const std::string& option,
@@ -77,7 +79,8 @@ FamilyFit::FamilyFit(const TradeoffPoints& points, const std::string& family,
       continue;
     auto entry = std::find_if(entries_.begin(), entries_.end(),
                               [&](const Entry& e) { return e.setting == point.setting; });
-    if (entry == entries_.end()) entry = entries_.insert(entry, {point.setting, {}, {}});
+    if (entry == entries_.end())
+      entry = entries_.insert(entry, {point.setting, point.preset_alone, {}, {}});
     entry->errors.push_back(point.error);
     entry->costs.push_back(point.cost);
   }
@@ -102,15 +105,19 @@ std::optional<Setting> FamilyFit::probe() const {
 }
 
 std::optional<Choice> FamilyFit::choose(double cost, const Wish& wish) const {
-  std::vector<Choice> all;
+  std::vector<Choice> all, presets;
   for (const auto& entry : entries_) {
     double ratio = 0;
     for (std::size_t k = 0; k < entry.costs.size(); ++k)
       ratio = std::max(ratio, entry.costs[k] / entries_[probe_].costs[k]);
     const auto [low, high] = std::minmax_element(entry.errors.begin(), entry.errors.end());
     all.push_back({entry.setting, *high, *low, cost * ratio});
+    if (entry.preset_alone) presets.push_back(all.back());
   }
-  return best(std::move(all), wish);
+  const auto chosen = best(std::move(all), wish), preset = best(std::move(presets), wish);
+  const bool as_cheap =
+      wish.error && preset && preset->fulfils && preset->cost <= alike * chosen->cost;
+  return as_cheap ? preset : chosen;
 }
 
 }  // namespace brisance

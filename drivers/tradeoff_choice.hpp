@@ -33,7 +33,8 @@ std::optional<Choice> choose(const TradeoffPoints& points, const Wish& wish);
 /// From the scenes of a family, for another one of it, in which `allows` tells the resolutions that
 /// can be. The error is the largest that a setting has had in a scene of the family; the cost is
 /// that of one cheap setting, the probe, in the scene itself, times the largest ratio of both costs
-/// in the family.
+/// in the family. A preset alone is preferred to other settings that are as cheap within what such
+/// estimates are worth.
 class FamilyFit {
  public:
   FamilyFit(const TradeoffPoints& points, const std::string& family, const TradeoffScene& scene);
@@ -47,6 +48,7 @@ class FamilyFit {
  private:
   struct Entry {
     Setting setting;
+    bool preset_alone;
     std::vector<double> errors, costs;  ///< scene by scene
   };
   std::vector<std::string> scenes_;

@@ -228,6 +228,20 @@ TEST(TradeoffChoice, ForAnotherSceneTakesTheWorstOfItsFamily) {
   EXPECT_FALSE(FamilyFit(points, "solid on a line", scene).probe());
 }
 
+TEST(TradeoffChoice, ForAnotherScenePrefersAPresetThatIsAboutAsCheap) {
+  TradeoffPoints points = {point("fast", 1, 0.01, 1, "a"), point("balanced", 1, 0.01, 1.4, "a"),
+                           point("accurate", 1, 0.004, 9, "a")};
+  points[0].preset_alone = false;
+  const TradeoffScene scene(input("toro3"));
+  const auto chosen = [&](double error) {
+    return FamilyFit(points, scene.family(), scene).choose(1, {error, {}})->setting.preset;
+  };
+  EXPECT_EQ(chosen(0.01), "balanced");
+  points[1].cost = 1.6;
+  EXPECT_EQ(chosen(0.01), "fast");
+  EXPECT_EQ(chosen(0.005), "accurate");
+}
+
 TEST(TradeoffChoice, ProbesWithARunThatIsMoreThanTheStartOfTheProgram) {
   const TradeoffPoints points = {point("paper", 1, 0.05, 0.01, "a"),
                                  point("fast", 1, 0.02, 0.2, "a"),
