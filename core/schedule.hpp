@@ -72,7 +72,7 @@ class Sweep {
     forget();
   }
 
-  // For those who choose the rows themselves, which nothing may ask for that adds to nodes:
+  // For those who choose the order of rows themselves, in a sweep that adds nothing to nodes:
 
   void work_on(const Row<D>& row) const {
     for (const auto& stage : stages_) (*stage)(row);

@@ -11,6 +11,15 @@ namespace {
 
 constexpr int chunks_per_thread = 2;
 
+/// None where no wave has looked at the group yet.
+template <class G>
+const Stream<G>* stream_of(const Wave<G>* wave, const Group<G>& group) {
+  if (wave == nullptr) return nullptr;
+  for (const auto& s : wave->streams)
+    if (s.group == &group) return &s;
+  return nullptr;
+}
+
 }  // namespace
 
 template <class G>
@@ -88,22 +97,18 @@ void Wavefront<G>::run(Sweep<D>& sweep) {
 
 template <class G>
 bool Wavefront<G>::sorted(const Group<G>& group) const {
-  if (wave_ == nullptr) return false;
-  for (const auto& s : wave_->streams)
-    if (s.group == &group) return s.taken;
-  return false;
+  const auto* s = stream_of(wave_.get(), group);
+  return s != nullptr && s->taken;
 }
 template <class G>
 bool Wavefront<G>::most_moved(const Group<G>& group) const {
-  for (const auto& s : wave_->streams)
-    if (s.group == &group) return s.most_moved;
-  return false;
+  const auto* s = stream_of(wave_.get(), group);
+  return s != nullptr && s->most_moved;
 }
 template <class G>
 bool Wavefront<G>::any_left(const Group<G>& group) const {
-  for (const auto& s : wave_->streams)
-    if (s.group == &group) return s.any_left;
-  return false;
+  const auto* s = stream_of(wave_.get(), group);
+  return s != nullptr && s->any_left;
 }
 
 template <class G>
