@@ -216,9 +216,19 @@ KOKKOS_FORCEINLINE_FUNCTION Wide select(const WideBool& first, const Wide& a, co
 
 KOKKOS_FORCEINLINE_FUNCTION bool any(bool truth) { return truth; }
 KOKKOS_FORCEINLINE_FUNCTION bool any(const WideBool& truths) {
+#if defined(__GNUC__) && !defined(__CUDA_ARCH__) && !defined(__HIP_DEVICE_COMPILE__)
+  // As bytes, which one register holds: folded lane by lane they took three times as many steps.
+  typedef std::int8_t Bytes __attribute__((vector_size(Wide::lanes)));
+  const Bytes bytes = __builtin_convertvector(truths.flags, Bytes);
+  std::uint64_t all;
+  static_assert(sizeof(all) == sizeof(bytes));
+  std::memcpy(&all, &bytes, sizeof(all));
+  return all != 0;
+#else
   std::int64_t all = 0;
   for (int lane = 0; lane < Wide::lanes; ++lane) all |= truths.flags[lane];
   return all != 0;
+#endif
 }
 
 KOKKOS_FORCEINLINE_FUNCTION WideBool operator!(const WideBool& a) { return {a.flags ^ -1}; }

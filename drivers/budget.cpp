@@ -84,6 +84,12 @@ void check_start(const List& scene, double dt, double fastest, double mass, doub
                   fastest);
     refuse(scene.sublist("bodies"), "", text);
   }
+  if (energy > mass * speed_of_light * speed_of_light) {
+    std::snprintf(text, sizeof text,
+                  "start with %.3g J/kg, more than mass can hold; a value of them is far too large",
+                  energy / mass);
+    refuse(scene.sublist("bodies"), "", text);
+  }
   const List& time = scene.sublist("time");
   const double steps = get<double>(time, "end") / dt;
   if (steps <= most_steps) return;

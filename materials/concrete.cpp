@@ -36,7 +36,7 @@ Concrete::Concrete(const List& list)
 
 List Concrete::valid_parameters(const List& given) {
   List valid;
-  declare(valid, "Young's modulus", E, positive(), "stiffness of a bar [Pa]");
+  declare(valid, "Young's modulus", E, stiffness(), "stiffness of a bar [Pa]");
   declare(
       valid, "Poisson's ratio", nu, between(0, 0.35),
       "lateral contraction over extension of a bar; beyond 0.39 damage would make it stiffer in "

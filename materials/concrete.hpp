@@ -91,8 +91,9 @@ struct Concrete : Solid {
   template <class T>
   KOKKOS_FORCEINLINE_FUNCTION ResponseOf<T> update(const StrainOf<T>& in, const SymOf<T>& old,
                                                    HistoryOf<T>& h) const {
-    PathOf<T> path{old, increment(in), moduli(h, trace(old))};
-    const T volume = trace(old) / (3 * path.moduli.K) + trace(path.de);  // elastic, of the trial
+    PathOf<T> path{old, increment(in), moduli(h, trace(old)), 1 / in.rho0};
+    const T volume =  // elastic, of the trial
+        (1. / 3) * path.moduli.per_K * trace(old) + trace(path.de);
     const auto stretches = whole(h) && !(volume < T(0));
     ResponseOf<T> r;
     r.sound_speed = speed(in.rho1);
@@ -111,16 +112,27 @@ struct Concrete : Solid {
   struct PathOf {
     SymOf<T> stress, de;
     IsotropicOf<T> moduli;  ///< at its start
+    T per_rho;              ///< at its start [m^3/kg]
   };
 
   /// Moduli of the damaged matter for a mean stress of that sign.
   template <class T>
   KOKKOS_FORCEINLINE_FUNCTION IsotropicOf<T> moduli(const HistoryOf<T>& h, const T& sign) const {
     const auto damaged = h.crack_density > T(0);
-    if (!any(damaged)) return {intact.K, intact.G};
+    if (!any(damaged)) return {intact.K, intact.G, intact.per_K, intact.per_G};
     const IsotropicOf<T> now = damage.at(h.crack_density).moduli;
     const auto softer = damaged && !(T(recovers ? 1 : 0) * sign < T(0));
-    return {select(softer, now.K, T(intact.K)), select(damaged, now.G, T(intact.G))};
+    return {select(softer, now.K, T(intact.K)), select(damaged, now.G, T(intact.G)),
+            select(softer, now.per_K, T(intact.per_K)),
+            select(damaged, now.per_G, T(intact.per_G))};
+  }
+
+  template <class T>
+  KOKKOS_FORCEINLINE_FUNCTION static IsotropicOf<T> chosen(const Truth<T>& first,
+                                                           const IsotropicOf<T>& a,
+                                                           const IsotropicOf<T>& b) {
+    return {select(first, a.K, b.K), select(first, a.G, b.G), select(first, a.per_K, b.per_K),
+            select(first, a.per_G, b.per_G)};
   }
 
   KOKKOS_INLINE_FUNCTION DruckerPragerCone shear_only() const { return {0, 0, cone.k}; }
@@ -128,33 +140,50 @@ struct Concrete : Solid {
   /// Where a stretch has come to at some share of its increment.
   template <class T>
   struct StretchedOf {
-    T Cd = 0;
-    TensileDamage::StateOf<T> state;
+    T Cd = 0, D = 0;  ///< D where damage grows
+    IsotropicOf<T> moduli;
     SymOf<T> trial, stress;           ///< before and after the limit of shear
     T plastic_strain = 0;             ///< with what the limit adds
     Truth<T> localised = Truth<T>{};  ///< damage grows and the strain can localise across the major
                                       ///< principal one
   };
 
+  /// What of a stretch does not depend on how far it goes.
   template <class T>
-  KOKKOS_INLINE_FUNCTION StretchedOf<T> stretched(const SymOf<T>& strain, const T& rate,
-                                                  const Truth<T>& wanted, const T& crack_density,
-                                                  const T& plastic_strain) const {
+  struct StretchOf {
+    Truth<T> wanted;
+    T density;              ///< see TensileDamage::density_at
+    IsotropicOf<T> moduli;  ///< before
+    T crack_density, plastic_strain;
+  };
+
+  template <class T>
+  KOKKOS_INLINE_FUNCTION StretchedOf<T> stretched(const StretchOf<T>& of,
+                                                  const SymOf<T>& strain) const {
     StretchedOf<T> s;
     const T volume = trace(strain);
-    const T Cd = damage.crack_density(strain_share * most(volume, T(0)), rate);
-    const auto grows = wanted && Cd > crack_density;
-    s.Cd = select(grows, least(Cd, T(largest_crack_density)), crack_density);
-    s.state = damage.at(s.Cd);
-    s.trial = s.stress = s.state.moduli.stress(strain);
-    s.plastic_strain = plastic_strain;
+    const T Cd = of.density * raised(strain_share * most(volume, T(0)), damage.m);
+    const auto grows = of.wanted && Cd > of.crack_density;
+    const bool any_grow = any(grows);
+    s.Cd = select(grows, least(Cd, T(largest_crack_density)), of.crack_density);
+    s.moduli = of.moduli;
+    TensileDamage::StateOf<T> state;
+    if (any_grow) {
+      state = damage.at(s.Cd);
+      s.moduli = chosen(grows, state.moduli, of.moduli);
+      s.D = state.D;
+    }
+    s.trial = s.stress = s.moduli.stress(strain);
+    s.plastic_strain = of.plastic_strain;
     if (shear_limit != ShearLimit::none)
-      shear_only().bring_back(s.state.moduli, s.stress, s.plastic_strain, wanted);
-    const T mean = trace(s.stress) * (1. / 3),
-            normal = 0.5 * (s.stress[0] + s.stress[1]) + shear_in_plane(s.stress),
-            r = 1. / 3 +  // strain along the normal over volume
-                (normal - mean) / (2 * s.state.moduli.G * select(grows, volume, T(1)));
-    s.localised = grows && normal > T(0) && !(damage.localisation(s.state, s.Cd, r) > T(0));
+      shear_only().bring_back(s.moduli, s.stress, s.plastic_strain, of.wanted);
+    if (any_grow) {
+      const T mean = trace(s.stress) * (1. / 3),
+              normal = 0.5 * (s.stress[0] + s.stress[1]) + shear_in_plane(s.stress),
+              r = 1. / 3 +  // strain along the normal over volume
+                  (normal - mean) * (0.5 * s.moduli.per_G) / select(grows, volume, T(1));
+      s.localised = grows && normal > T(0) && !(damage.localisation(state, s.Cd, r) > T(0));
+    }
     return s;
   }
 
@@ -165,12 +194,11 @@ struct Concrete : Solid {
   KOKKOS_FORCEINLINE_FUNCTION SymOf<T> stretch(const StrainOf<T>& in, const Truth<T>& wanted,
                                                PathOf<T>& path, HistoryOf<T>& h) const {
     h.peak_rate = select(wanted, most(h.peak_rate, rate_share * trace(in.rate)), h.peak_rate);
-    const T rate = most(h.peak_rate, T(least_rate));
     const SymOf<T> strain = path.moduli.strain(path.stress);
-    const T crack_density = h.crack_density, plastic_strain = h.plastic_strain;
-    const auto at = [&](const T& share) {
-      return stretched(added(strain, share, path.de), rate, wanted, crack_density, plastic_strain);
-    };
+    const StretchOf<T> of{wanted, damage.density_at(most(h.peak_rate, T(least_rate))),
+                          recovers ? moduli(h, T(1)) : path.moduli, h.crack_density,
+                          h.plastic_strain};
+    const auto at = [&](const T& share) { return stretched(of, added(strain, share, path.de)); };
     StretchedOf<T> end = at(T(1));
     const auto onset = end.localised;
     T share = 1;
@@ -184,19 +212,18 @@ struct Concrete : Solid {
       }
       end = at(share);
     }
-    const IsotropicOf<T> now = end.state.moduli;
+    const IsotropicOf<T> now = end.moduli;
     const auto grows = end.Cd > h.crack_density;
     if (any(grows)) {
-      const IsotropicOf<T> before = recovers ? moduli(h, T(1)) : path.moduli;
-      const T lost = damage_work(before, now, strain, now.strain(end.stress)) / in.rho0;
+      const T lost = damage_work(of.moduli, now, strain, now.strain(end.stress)) * path.per_rho;
       h.damage_work += select(grows, lost, T(0));
       h.crack_density = end.Cd;
-      h.damage = select(grows, end.state.D, h.damage);
+      h.damage = select(grows, end.D, h.damage);
     }
     const auto flows = end.plastic_strain > h.plastic_strain;
     if (any(flows)) {
       h.plastic_strain = end.plastic_strain;
-      h.plastic_work += flow_work(flows, in, now, middle(path.stress, end.stress),
+      h.plastic_work += flow_work(flows, path.per_rho, now, middle(path.stress, end.stress),
                                   added(end.trial, -1, end.stress));
     }
     if (any(onset)) {
@@ -205,9 +232,8 @@ struct Concrete : Solid {
       h.normal_x = select(onset, n[0], h.normal_x);
       h.normal_y = select(onset, n[1], h.normal_y);
       const SymOf<T> left = added(SymOf<T>{}, 1 - share, path.de);
-      path = {select(onset, end.stress, path.stress),
-              select(onset, left, path.de),
-              {select(onset, now.K, path.moduli.K), select(onset, now.G, path.moduli.G)}};
+      path = {select(onset, end.stress, path.stress), select(onset, left, path.de),
+              chosen(onset, now, path.moduli), path.per_rho};
     }
     return end.stress;
   }
@@ -229,10 +255,10 @@ struct Concrete : Solid {
 
   /// Of the points that flow. [J/kg]
   template <class T>
-  KOKKOS_FORCEINLINE_FUNCTION static T flow_work(const Truth<T>& flows, const StrainOf<T>& in,
+  KOKKOS_FORCEINLINE_FUNCTION static T flow_work(const Truth<T>& flows, const T& per_rho,
                                                  const IsotropicOf<T>& now, const SymOf<T>& mean,
                                                  const SymOf<T>& excess) {
-    return select(flows, plastic_work(now, mean, excess) / in.rho0, T(0));
+    return select(flows, plastic_work(now, mean, excess) * per_rho, T(0));
   }
 
   /// Matter that is pressed, or has a plane in it: the cone bounds the matter, the plane what is
@@ -255,10 +281,10 @@ struct Concrete : Solid {
       flows =
           flows || shear_only().bring_back(now, in_matter, h.plastic_strain, parted && !pressed);
     SymOf<T> sigma = in_matter;
-    if (any(parted)) sigma = across_plane(in, parted, path.stress, in_matter, now, h);
+    if (any(parted)) sigma = across_plane(in, parted, path, in_matter, now, h);
     if (any(flows))
-      h.plastic_work +=
-          flow_work(flows, in, now, middle(path.stress, sigma), added(trial, -1, in_matter));
+      h.plastic_work += flow_work(flows, path.per_rho, now, middle(path.stress, sigma),
+                                  added(trial, -1, in_matter));
     return sigma;
   }
 
@@ -266,32 +292,35 @@ struct Concrete : Solid {
   /// the plane is the chord of a cell, not that of a point: all points of a cell see one strain.
   template <class T>
   KOKKOS_FORCEINLINE_FUNCTION SymOf<T> across_plane(const StrainOf<T>& in, const Truth<T>& parted,
-                                                    const SymOf<T>& old, const SymOf<T>& in_matter,
+                                                    const PathOf<T>& path,
+                                                    const SymOf<T>& in_matter,
                                                     const IsotropicOf<T>& now,
                                                     HistoryOf<T>& h) const {
     using Plane = Decohesion::PlaneOf<T>;
     using Traction = Decohesion::TractionOf<T>;
     const VecOf<T, 2> n{h.normal_x, h.normal_y};
-    const T length = in.h * select(parted, most(fabs(n[0]), fabs(n[1])), T(1));
+    const T length = in.h * select(parted, most(fabs(n[0]), fabs(n[1])), T(1)),
+            per_length = 1 / length;
     Plane plane{select(parted, h.strength, T(1)), select(parted, h.lambda, T(0))};
     Traction tau{select(parted, along(in_matter, n), T(0)),
                  select(parted, across(in_matter, n), T(0))};
-    const Traction before{along(old, n), across(old, n)};
+    const Traction before{along(path.stress, n), across(path.stress, n)};
     const Decohesion::OpeningOf<T> du =
         decohesion.update(plane, tau, before, {now.constrained(), now.G, length});
     h.lambda = select(parted, plane.lambda, h.lambda);
     h.opening += du.n;
     h.slip += fabs(du.t);
-    h.decohesion_work += du.work / (length * in.rho0);
-    return added(in_matter, -1, now.stress(opened(n, du, length)));
+    h.decohesion_work += du.work * per_length * path.per_rho;
+    return added(in_matter, -1, now.stress(opened(n, du, per_length)));
   }
 
-  /// (n du + du n) / (2 length) with du in the frame of n and t = (-n_y, n_x).
+  /// (n du + du n) / 2 over a length with du in the frame of n and t = (-n_y, n_x).
   template <class T>
   KOKKOS_FORCEINLINE_FUNCTION static SymOf<T> opened(const VecOf<T, 2>& n,
                                                      const Decohesion::OpeningOf<T>& du,
-                                                     const T& length) {
-    const T x = (du.n * n[0] - du.t * n[1]) / length, y = (du.n * n[1] + du.t * n[0]) / length;
+                                                     const T& per_length) {
+    const T x = (du.n * n[0] - du.t * n[1]) * per_length,
+            y = (du.n * n[1] + du.t * n[0]) * per_length;
     SymOf<T> e;
     e[0] = n[0] * x;
     e[1] = n[1] * y;

@@ -43,7 +43,7 @@ struct DruckerPragerCone {
     SymOf<T> back = with_deviator_scaled(stress, scale);
     for (int i = 0; i < 3; ++i) back[i] = select(beyond, apex, back[i] - 3 * beta * m.K * flow);
     stress = select(outside, back, stress);
-    plastic_strain += select(outside, select(beyond, shear / m.G, flow) * per_root3, T(0));
+    plastic_strain += select(outside, select(beyond, shear * m.per_G, flow) * per_root3, T(0));
     return outside;
   }
 };

@@ -82,38 +82,42 @@ KOKKOS_FORCEINLINE_FUNCTION T across(const SymOf<T>& a, const VecOf<T, 2>& n) {
   return n[0] * n[1] * (a[1] - a[0]) + (square(n[0]) - square(n[1])) * a[3];
 }
 
-/// Bulk and shear modulus, of one kind of matter or of each point. [Pa]
+/// Bulk and shear modulus, of one kind of matter or of each point [Pa], and their inverses, which
+/// all that follows from stresses asks for more than once: divisions take most of a law's time.
+/// [1/Pa]
 template <class M>
 struct IsotropicOf {
   M K = 0, G = 0;
+  M per_K = 0, per_G = 0;
 
   KOKKOS_INLINE_FUNCTION static IsotropicOf from_young(double E, double nu) {
-    return {E / (3 * (1 - 2 * nu)), E / (2 * (1 + nu))};
+    const double K = E / (3 * (1 - 2 * nu)), G = E / (2 * (1 + nu));
+    return {K, G, 1 / K, 1 / G};
   }
 
   template <class T>
   KOKKOS_FORCEINLINE_FUNCTION SymOf<T> stress(const SymOf<T>& strain) const {
     SymOf<T> s;
-    const T mean = (K - 2 * G / 3) * trace(strain);
+    const T mean = (K - (2. / 3) * G) * trace(strain);
     for (int k = 0; k < 6; ++k) s[k] = 2 * G * strain[k] + (k < 3 ? mean : T(0));
     return s;
   }
   template <class T>
   KOKKOS_FORCEINLINE_FUNCTION SymOf<T> strain(const SymOf<T>& stress) const {
     SymOf<T> e;
-    const M shear = 0.5 / G;
-    const T mean = trace(stress) * (1 / (9 * K) - shear / 3);
+    const M shear = 0.5 * per_G;
+    const T mean = trace(stress) * ((1. / 9) * per_K - (1. / 3) * shear);
     for (int k = 0; k < 6; ++k) e[k] = shear * stress[k] + (k < 3 ? mean : T(0));
     return e;
   }
   /// Stiffness against strain in one direction only. [Pa]
-  KOKKOS_FORCEINLINE_FUNCTION M constrained() const { return K + 4 * G / 3; }
+  KOKKOS_FORCEINLINE_FUNCTION M constrained() const { return K + (4. / 3) * G; }
 
   /// a : C^-1 : b, the work of the stress a on the elastic strain of b. [J/m^3]
   template <class T>
   KOKKOS_FORCEINLINE_FUNCTION T work(const SymOf<T>& a, const SymOf<T>& b) const {
     const T traces = trace(a) * trace(b);
-    return (contract(a, b) - traces * (1. / 3)) * (1 / (2 * G)) + traces * (1 / (9 * K));
+    return (contract(a, b) - traces * (1. / 3)) * (0.5 * per_G) + traces * ((1. / 9) * per_K);
   }
   /// What comes back on unloading. [J/m^3]
   template <class T>

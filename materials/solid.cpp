@@ -11,9 +11,11 @@ Solid::Solid(const List& list)
                                    get<double>(list, "Poisson's ratio"))),
       rho_rest(get<double>(list, "density")) {}
 
+Rule stiffness() { return between(1e-60, 1e60); }
+
 List Solid::valid_parameters() {
   List valid;
-  declare_required<double>(valid, "Young's modulus", positive(), "stiffness of a bar [Pa]");
+  declare_required<double>(valid, "Young's modulus", stiffness(), "stiffness of a bar [Pa]");
   declare_required<double>(valid, "Poisson's ratio", above(-1) && below(0.5),
                            "lateral contraction over extension of a bar [-]");
   declare_required<double>(valid, "density", positive(), "when free of stress [kg/m^3]");

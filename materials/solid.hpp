@@ -10,6 +10,8 @@ class ParameterList;
 
 namespace brisance {
 
+struct Rule;
+
 struct Solid {
   static constexpr Stress stress = Stress::tensor;
   static constexpr bool fluid = false;
@@ -51,6 +53,9 @@ struct Solid {
     return h.energy;
   }
 };
+
+/// What a modulus may be: further on its products with stresses and strains are no numbers.
+Rule stiffness();
 
 /// The strain of a step.
 template <class T>

@@ -27,10 +27,15 @@ struct TensileDamage {
   };
   using State = StateOf<double>;
 
-  /// Cd at a volumetric strain [-], fragments being sized by the largest rate of it [1/s].
+  /// Cd over the m-th power of the volumetric strain, fragments being sized by the largest rate of
+  /// it [1/s].
+  template <class T>
+  KOKKOS_FORCEINLINE_FUNCTION T density_at(const T& rate) const {
+    return growth / square(rate);
+  }
   template <class T>
   KOKKOS_FORCEINLINE_FUNCTION T crack_density(const T& volume_strain, const T& rate) const {
-    return growth * raised(volume_strain, m) / square(rate);
+    return density_at(rate) * raised(volume_strain, m);
   }
 
   /// At Cd = 9/16 nothing is left. The shear modulus is that of isotropy with the damaged K and nu.
@@ -38,8 +43,9 @@ struct TensileDamage {
   KOKKOS_FORCEINLINE_FUNCTION StateOf<T> at(const T& Cd) const {
     constexpr double c = 16. / 9;
     const auto holds = c * Cd < T(1);
-    const T nu_d = nu * (1 - c * Cd), left = 1 - 2 * nu_d, per_left = 1 / left,
-            per_shape = 1 / (1 + nu_d), f = (1 - square(nu_d)) * per_left;
+    const T nu_d = nu * (1 - c * Cd), left = 1 - 2 * nu_d, right = 1 + nu_d,
+            per_both = 1 / (left * right), per_left = per_both * right, per_shape = per_both * left,
+            f = (1 - square(nu_d)) * per_left;
     const double nu_slope = -c * nu;
     const T f_slope = 2 * nu_slope * (f - nu_d) * per_left, shape = left * per_shape,
             shape_slope = -3 * nu_slope * square(per_shape);
@@ -47,6 +53,8 @@ struct TensileDamage {
     s.D = select(holds, c * f * Cd, T(1));
     s.moduli.K = (1 - s.D) * intact.K;
     s.moduli.G = 1.5 * s.moduli.K * shape;
+    s.moduli.per_K = 1 / select(holds, s.moduli.K, T(intact.K));
+    s.moduli.per_G = (2. / 3) * s.moduli.per_K * right * per_left;
     s.dK = select(holds, -c * intact.K * (f + f_slope * Cd), T(0));
     s.dG = 1.5 * (s.dK * shape + s.moduli.K * shape_slope);
     return s;
@@ -56,7 +64,7 @@ struct TensileDamage {
   /// stiffness C and what softens it. [Pa]
   KOKKOS_INLINE_FUNCTION Sym3 softening(const State& s, double Cd, const Sym3& strain) const {
     const double per_volume = m * Cd / trace(strain);
-    const Isotropic slope{s.dK, s.dG};
+    const Isotropic slope{s.dK, s.dG, 0, 0};
     return added({}, per_volume, slope.stress(strain));
   }
 
