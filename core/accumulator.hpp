@@ -34,12 +34,12 @@ class Accumulator {
   }
 
   void clear() { clear(static_cast<int>(total.extent(1))); }
-  /// The first columns only, where no others are asked for.
-  void clear(int columns) {
+  /// The columns first .. end - 1 only, where no others are asked for.
+  void clear(int end, int first = 0) {
     if (duplicates_)
       scatter.reset();
     else
-      Kokkos::deep_copy(Kokkos::subview(total, Kokkos::ALL, Kokkos::make_pair(0, columns)), 0.0);
+      Kokkos::deep_copy(Kokkos::subview(total, Kokkos::ALL, Kokkos::make_pair(first, end)), 0.0);
   }
   /// To be called when all has been added, before `total` is read.
   void contribute() {

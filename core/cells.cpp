@@ -1,30 +1,79 @@
 #include "core/cells.hpp"
 
 #include "core/geometry.hpp"
-#include "core/tile.hpp"
+#include "core/pieces.hpp"
+#include "core/stencil.hpp"
 
 namespace brisance {
 namespace {
 
-/// Calls f(bundle) for the cells inside the domain, whose neighbours it may read. One by one, with
-/// the place of each found from its number, they took four times as long.
-template <int D, class F>
-void for_inner_cells(const char* name, const Lattice<D>& lattice, const F& f) {
-  static_assert(D < 3, "planes of lines are missing");
-  constexpr int length = 256;
-  const int pieces = (lattice.cells[0] + length - 1) / length,
-            lines = D == 1 ? 1 : lattice.cells[1];
-  Kokkos::parallel_for(
-      name, Kokkos::RangePolicy<Space>(0, pieces * lines), KOKKOS_LAMBDA(const int k) {
-        int i[D] = {k % pieces * length}, reach = Wide::lanes;
-        if constexpr (D == 2) i[1] = k / pieces;
-        for (int d = 0; d < D; ++d) reach += lattice.stride[d];
-        int c = lattice.index(i);
-        const int rest = lattice.cells[0] - i[0], end = c + (rest < length ? rest : length);
-        for (; c + Wide::lanes <= end; c += Wide::lanes) f(Bundle<true>{c});
-        if (c < end) f(Bundle<false, true>{c, end - c, c + reach <= lattice.size});
-      });
+/// d v_d / d x_d at the centres of cells, v being a nodal field. [1/s]
+template <class G, class Bundle>
+KOKKOS_FORCEINLINE_FUNCTION Wide rate_along(const Lattice<G::dim>& lattice,
+                                            const Table<double>& velocity, const Bundle& c, int d) {
+  using N = Around<G::dim, 2>;
+  Wide sum;
+  for (int k = 0; k < N::count; ++k)
+    sum += centre_gradient<G>(k, d) * c.read(&velocity(N::offset(lattice, k), d));
+  return lattice.per_h * sum;
 }
+
+/// The same, of the field that a spline makes of the nodes: from four of them along each direction.
+/// `beside` is the weight of a node at the next one.
+template <class G, class Bundle>
+KOKKOS_FORCEINLINE_FUNCTION Wide smooth_rate_along(const Lattice<G::dim>& lattice,
+                                                   const Table<double>& velocity, const Bundle& c,
+                                                   int d, double beside) {
+  using N = Around<G::dim, 4>;
+  const double slope[] = {-beside, 3 * beside - 1, 1 - 3 * beside, beside},
+               mean[] = {0.5 * beside, 0.5 - 0.5 * beside, 0.5 - 0.5 * beside, 0.5 * beside};
+  int first = 0;
+  for (int e = 0; e < G::dim; ++e) first -= lattice.stride[e];
+  Wide sum;
+  for (int k = 0; k < N::count; ++k) {
+    double weight = 1;
+    for (int e = 0; e < G::dim; ++e) weight *= (e == d ? slope : mean)[N::digit(k, e)];
+    sum += weight * c.read(&velocity(0, d) + (first + N::offset(lattice, k)));
+  }
+  return lattice.per_h * sum;
+}
+
+template <class G>
+struct DescribeCells {
+  static constexpr int D = G::dim;
+  Lattice<D> lattice;
+  Table<double> velocity, sums, cell;
+  int classes;
+  double beside;
+
+  template <class Bundle>
+  KOKKOS_FORCEINLINE_FUNCTION void operator()(const Bundle& c) const {
+    const WideBool holds = c.read(&sums(0, D)) > Wide(0);
+    for (int d = 0; d < D; ++d) {
+      const Wide rate = beside > 0 ? smooth_rate_along<G>(lattice, velocity, c, d, beside)
+                                   : rate_along<G>(lattice, velocity, c, d);
+      c.write(&cell(0, d), select(holds, rate, 0));
+    }
+    for (int k = D; k < D + classes; ++k) c.write(&cell(0, k), c.read(&sums(0, k)));
+  }
+};
+
+template <class G>
+struct FastestStrain {
+  static constexpr int D = G::dim;
+  Lattice<D> lattice;
+  Table<double> velocity;  ///< column D: mass
+
+  template <class Bundle>
+  KOKKOS_FORCEINLINE_FUNCTION Wide operator()(const Bundle& c) const {
+    using N = Around<D, 2>;
+    Wide rate, lightest = c.read(&velocity(0, D));
+    for (int d = 0; d < D; ++d) rate += rate_along<G>(lattice, velocity, c, d);
+    for (int k = 1; k < N::count; ++k)
+      lightest = least(lightest, c.read(&velocity(N::offset(lattice, k), D)));
+    return select(lightest > Wide(0), fabs(rate), 0);
+  }
+};
 
 template <int D>
 struct ScaleCells {
@@ -74,39 +123,39 @@ struct LimitCells {
 }  // namespace
 
 template <class G>
-void average_cells(const Grid<G>& grid, const Accumulator& sums) {
+void describe_cells(const Grid<G>& grid, const Accumulator& sums, double beside) {
   constexpr int D = G::dim;
-  const auto cell = grid.cell, total = sums.total;
-  const bool mixed = grid.mixed();
-  if (mixed) fold_cells(total, D + 1, grid.lattice, grid.boundaries);
-  Kokkos::parallel_for(
-      "average cells", Kokkos::RangePolicy<Space>(0, grid.lattice.size),
-      KOKKOS_LAMBDA(const int c) {
-        const double volume = total(c, D);
-        for (int d = 0; d < D; ++d) cell(c, d) = volume > 0 ? total(c, d) / volume : 0;
-        cell(c, D) = volume;
-        if (mixed) cell(c, D + 1) = total(c, D + 1);
-      });
-  fill_cells(cell, D, grid.lattice, grid.boundaries);
+  if (grid.mixed()) fold_cells(sums.total, D + 1, grid.lattice, grid.boundaries);
+  for_each(
+      "describe cells", InnerCells<G::dim>{grid.lattice},
+      DescribeCells<G>{grid.lattice, grid.before, sums.total, grid.cell, grid.volumes(), beside});
+  fill_cells(grid.cell, D, grid.lattice, grid.boundaries);
+}
+
+template <class G>
+double fastest_strain(const Grid<G>& grid) {
+  return greatest_of("fastest strain", InnerCells<G::dim>{grid.lattice},
+                     FastestStrain<G>{grid.lattice, grid.before});
 }
 
 template <class G>
 void scale_cells(const Grid<G>& grid) {
   const int solids = grid.mixed() ? G::dim + 1 : G::dim;
-  for_inner_cells(
-      "scale cells", grid.lattice,
+  for_each(
+      "scale cells", InnerCells<G::dim>{grid.lattice},
       ScaleCells<G::dim>{grid.lattice, grid.cell, grid.scale, grid.lattice.cell_volume(), solids});
 }
 
 template <class G>
 void limit_cells(const Grid<G>& grid) {
-  for_inner_cells("limit cells", grid.lattice,
-                  LimitCells<G::dim>{grid.lattice, grid.cell, grid.smoothness});
+  for_each("limit cells", InnerCells<G::dim>{grid.lattice},
+           LimitCells<G::dim>{grid.lattice, grid.cell, grid.smoothness});
 }
 
-#define BRISANCE_CELLS(G)                                             \
-  template void average_cells<G>(const Grid<G>&, const Accumulator&); \
-  template void scale_cells<G>(const Grid<G>&);                       \
+#define BRISANCE_CELLS(G)                                                      \
+  template void describe_cells<G>(const Grid<G>&, const Accumulator&, double); \
+  template double fastest_strain<G>(const Grid<G>&);                           \
+  template void scale_cells<G>(const Grid<G>&);                                \
   template void limit_cells<G>(const Grid<G>&);
 BRISANCE_CELLS(Line)
 BRISANCE_CELLS(PlaneStrain)

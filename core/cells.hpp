@@ -4,10 +4,15 @@
 
 namespace brisance {
 
-/// grid.cell <- mean strain rates and filled volumes, out of the sums of Transfer::scatter_cells
-/// and scatter_overlap.
+/// grid.cell <- mean strain rates of cells that hold fluid, from grid.before, and filled volumes,
+/// out of columns D (fluids) and D + 1 (solids) of the sums. `beside`: see Transfer.
 template <class G>
-void average_cells(const Grid<G>& grid, const Accumulator& sums);
+void describe_cells(const Grid<G>& grid, const Accumulator& sums, double beside);
+
+/// The greatest rate at which the volume of a cell, as its centre has it, changes at the start of
+/// the step, of cells whose nodes all have mass. [1/s]
+template <class G>
+double fastest_strain(const Grid<G>& grid);
 
 /// grid.scale <- what fills a cell whose neighbours all hold particles: (h^D - V of solids) / V of
 /// fluids, at most doubled or, without solids, halved; elsewhere 1.

@@ -31,8 +31,8 @@ struct Grid {
   Table<double> after;             ///< velocity at its end [m/s]
   std::vector<Table<double>> own;  ///< like `before`, of one class each; one class: the same table
   std::vector<Table<double>> image_mass;  ///< of each class, beyond walls: see fold() [kg]
-  /// Of fluids: mean strain rate along each direction [1/s]; column D: volume [m^D]; column D + 1,
-  /// where fluids meet solids: volume of solids.
+  /// Where there are fluids: strain rate along each direction at the centre [1/s]; column D: their
+  /// volume [m^D]; column D + 1, where they meet solids: volume of solids.
   Table<double> cell;
   Table<double> scale;       ///< by what the volumes in a cell are scaled to fill it [-]
   Table<double> smoothness;  ///< 1 where the flow is smooth, 0 in a shock [-]
@@ -59,6 +59,9 @@ struct Grid {
 
   /// Whether cells may hold fluids and solids.
   bool mixed() const { return own.size() > 1; }
+  /// Whether anybody asks for `cell`, and of how many classes it tells the volumes.
+  bool knows_cells() const { return cell.extent(0) > 0; }
+  int volumes() const { return knows_cells() ? static_cast<int>(own.size()) : 0; }
 
   /// Memory of all fields. [B]
   std::size_t bytes() const {

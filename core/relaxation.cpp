@@ -3,9 +3,25 @@
 #include <utility>
 
 #include "core/geometry.hpp"
+#include "core/pieces.hpp"
 
 namespace brisance {
 namespace {
+
+/// Of pairs of columns the first <- itself over the second, 0 where there is none.
+struct NodalMean {
+  Table<double> sums;
+  int columns;
+
+  template <class Bundle>
+  KOKKOS_FORCEINLINE_FUNCTION void operator()(const Bundle& n) const {
+    for (int c = 0; c < columns; c += 2) {
+      const Wide weight = n.read(&sums(0, c + 1));
+      const WideBool any = weight > Wide(0);
+      n.write(&sums(0, c), select(any, n.read(&sums(0, c)) / select(any, weight, 1), 0));
+    }
+  }
+};
 
 template <class G>
 class Relaxation {
@@ -35,11 +51,7 @@ class Relaxation {
   /// The columns 0 and, if there are two, 2 of the sums <- means over what follows them.
   void take_means(int columns) {
     const auto total = add_up(columns);
-    Kokkos::parallel_for(
-        "nodal mean", Kokkos::RangePolicy<Space>(0, grid.lattice.size), KOKKOS_LAMBDA(const int n) {
-          for (int c = 0; c < columns; c += 2)
-            total(n, c) = total(n, c + 1) > 0 ? total(n, c) / total(n, c + 1) : 0;
-        });
+    for_each("nodal mean", AllNodes{grid.lattice.size}, NodalMean{total, columns});
     fill(total, 0, columns - 1, grid.lattice, grid.boundaries);
   }
 

@@ -4,7 +4,8 @@
 // nodes, and how a point's volume spreads over cells, `overlap`: such that the slope of a node is
 // the sum over cells of overlap times the slope of the linear shape, hence a pressure that fills a
 // cell together with fluids of the shape "linear" is in balance with them. Lengths are in cells.
-// A point is in one of the `holding` cells from `first_holding` on, counted from its base.
+// A point is in one of the `holding` cells from `first_holding` on, counted from its base. A node
+// has the weight `beside` at the next one.
 // Sources: Sulsky et al. (1994) for linear, Bardenhagen & Kober (2004) for GIMP, Steffen, Kirby &
 // Berzins (2008) for the splines.
 #include "core/wide.hpp"
@@ -16,6 +17,7 @@ struct Linear {
   static constexpr bool sized = false;
   static constexpr int width = 2;
   static constexpr double affine_inertia = 0;  // not a spline with constant second moment: no APIC
+  static constexpr double beside = 0;
 
   template <class T>
   KOKKOS_FORCEINLINE_FUNCTION static T base(T xi) {
@@ -44,6 +46,7 @@ struct Gimp {
   static constexpr bool sized = true;  // asks for the particle's extent
   static constexpr int width = 3;
   static constexpr double affine_inertia = 0;
+  static constexpr double beside = 1. / 16;  // of a particle half a cell long
 
   template <class T>
   KOKKOS_FORCEINLINE_FUNCTION static T base(T xi) {
@@ -78,6 +81,7 @@ struct QuadraticSpline {
   static constexpr bool sized = false;
   static constexpr int width = 3;
   static constexpr double affine_inertia = 1. / 4;  // sum over nodes of w r r, in cells^2
+  static constexpr double beside = 1. / 8;
 
   template <class T>
   KOKKOS_FORCEINLINE_FUNCTION static T base(T xi) {
@@ -108,6 +112,7 @@ struct CubicSpline {
   static constexpr bool sized = false;
   static constexpr int width = 4;
   static constexpr double affine_inertia = 1. / 3;
+  static constexpr double beside = 1. / 6;
 
   template <class T>
   KOKKOS_FORCEINLINE_FUNCTION static T base(T xi) {

@@ -1,5 +1,7 @@
 #include "core/sleep.hpp"
 
+#include <algorithm>
+
 #include "core/geometry.hpp"
 #include "core/lull.hpp"
 #include "core/sum.hpp"
@@ -139,8 +141,11 @@ void Sleep<G>::wake(const Groups& groups, Sorter<G>& sorter) {
   if (disturbed == 0 || wake_cells() == 0) return;
   for (Part& part : parts_) {
     Particles<G>& awake = part.group->particles;
-    if (move(part.points, awake, *part.group, 0, sorter) > 0)
-      sorter.sort(awake, *part.group->transfer, lattice_);
+    if (move(part.points, awake, *part.group, 0, sorter) == 0) continue;
+    sorter.sort(awake, *part.group->transfer, lattice_);
+    const Signals fastest = part.group->signals();  // of those that were awake
+    part.group->set_signals(lattice_, {std::max(fastest.over_grid, part.signals.over_grid),
+                                       std::max(fastest.in_matter, part.signals.in_matter)});
   }
   settle();
 }
@@ -223,10 +228,13 @@ int Sleep<G>::move(Particles<G>& from, Particles<G>& to, const Group<G>& group, 
 
 template <class G>
 Signals Sleep<G>::signals_of(Group<G>& group) const {
+  const Signals awake = group.signals();
   Sweep<D> sweep(lattice_);
   group.find_signals(sweep);
   sweep.run();
-  return group.signals();
+  const Signals asleep = group.signals();
+  group.set_signals(lattice_, awake);
+  return asleep;
 }
 
 /// What those that still sleep are to others.

@@ -50,7 +50,7 @@ class Sleep {
   void wake(const Groups& groups, Sorter<G>& sorter);
 
   /// What all others have summed, and what the points that sleep press with at the nodes [N]; and,
-  /// as Transfer::scatter_cells has it, the volume of their cells.
+  /// in column D, the volume of their cells.
   void press(const Accumulator& sums) const;
   void fill(const Accumulator& sums) const;
   /// Sums of the points at the nodes, N V. [m^D]; empty unless any sleep

@@ -4,6 +4,7 @@
 
 #include "core/cells.hpp"
 #include "core/geometry.hpp"
+#include "core/nodal_motion.hpp"
 #include "core/split.hpp"
 
 namespace brisance {
@@ -24,7 +25,6 @@ class Step {
       arrange(*g);
       g->start();
     }
-    if (s.scheme.midpoint) return;
     momentum_to_grid();
     for (auto& g : s.groups) {
       g->transfer->gather_gradient(sweep, g->particles, s.grid.before);
@@ -34,15 +34,11 @@ class Step {
   }
 
   double begin() {
+    s.spare.clear(D + s.grid.volumes(), s.force_early() ? 0 : D);
     if (s.force_early()) scatter_force(s.spare);
-    momentum_to_grid();
-    if (s.scheme.midpoint)
-      for (auto& g : s.groups) {
-        g->transfer->gather_gradient(sweep, g->particles, s.grid.before);
-        g->find_signals(sweep);
-      }
-    know_cells();
-    double fastest = 0;
+    momentum_to_grid(s.grid.knows_cells());
+    if (s.grid.knows_cells()) know_cells();
+    double fastest = s.scheme.midpoint ? others.max(strain_signal()) : 0;
     for (auto& g : s.groups) {
       const Signals here = g->signals();
       const Signals asleep = s.sleep.signals(*g);
@@ -57,7 +53,6 @@ class Step {
     damp_against_walls();
     if (!s.springs.empty()) s.springs.weigh(s.groups, s.grid, s.sums);
     for (auto& g : s.groups) {
-      // Found once more: from the nodes it comes for less than from the memory of all particles.
       g->transfer->gather_gradient(sweep, g->particles, s.grid.before);
       g->half_step(sweep, s.grid, dt);
     }
@@ -66,6 +61,7 @@ class Step {
       g->transfer->finish_midpoint(sweep, g->particles, s.grid, g->stress(), g->velocity_class,
                                    flip(*g), dt);
       g->finish(sweep, s.grid, dt);
+      g->find_signals(sweep);
       to_new_order(*g);
     }
     new_order();
@@ -123,24 +119,30 @@ class Step {
     relax(s.groups, s.grid, s.sums, s.spare, rates, steps * dt, s.sleep.volume());
   }
 
+  /// What the strain of cells at the start of the step counts as. Their particles have told of
+  /// signals at the end of the step before: matter that meets has not been strained by then. [m/s]
+  double strain_signal() const {
+    double length = 0;
+    for (const auto& g : s.groups) length = std::max(length, g->scheme.strain_length);
+    return length * fastest_strain(s.grid);
+  }
+
   /// grid.own and grid.before <- velocities at the nodes, walls at rest; after what the sweep
-  /// holds.
-  void momentum_to_grid() {
+  /// holds. In the same look at the particles their volumes in cells go to s.spare, if wanted.
+  void momentum_to_grid(bool volumes = false) {
     s.stopped.assign(s.grid.own.size(), {});
     for (std::size_t c = 0; c < s.grid.own.size(); ++c) {
       s.sums.clear(D + 1);
       for (auto& g : s.groups)
-        if (g->velocity_class == static_cast<int>(c))
+        if (g->velocity_class == static_cast<int>(c)) {
           g->transfer->scatter_momentum(sweep, g->particles, s.sums);
+          if (volumes) scatter_volume(*g);
+        }
       sweep.run();
       s.stopped[c] = collect(s.sums, D + 1, s.grid.image_mass[c]);
-      const auto own = s.grid.own[c], total = s.sums.total;
-      Kokkos::parallel_for(
-          "nodal velocity", nodes(), KOKKOS_LAMBDA(const int n) {
-            const double m = total(n, D);
-            own(n, D) = m;
-            for (int d = 0; d < D; ++d) own(n, d) = m > 0 ? total(n, d) / m : 0;
-          });
+      const auto own = s.grid.own[c];
+      for_each("nodal velocity", AllNodes{s.grid.lattice.size},
+               NodalVelocity<D>{s.sums.total, own});
       fill(own, D, D + 1, s.grid.lattice, s.grid.boundaries);
       s.stopped[c] = difference(s.stopped[c], images(own, c));
     }
@@ -165,29 +167,26 @@ class Step {
         });
   }
 
-  /// Does what the sweep holds and then sets grid.cell and what follows from it, as far as fluids
-  /// and the scheme ask for it.
+  void scatter_volume(const Group<G>& g) {
+    if (g.fluid())
+      g.transfer->scatter_volume(sweep, g.particles, D, s.spare);
+    else
+      g.transfer->scatter_overlap(sweep, g.particles, D + 1, s.spare);
+  }
+
+  /// grid.cell and what follows from it.
   void know_cells() {
-    const bool wanted = s.grid.cell.extent(0) > 0;
-    if (wanted) {
-      s.sums.clear(s.grid.mixed() ? D + 2 : D + 1);
-      for (auto& g : s.groups)
-        if (g->fluid())
-          g->transfer->scatter_cells(sweep, g->particles, s.sums);
-        else
-          g->transfer->scatter_overlap(sweep, g->particles, D + 1, s.sums);
-    }
-    sweep.run();
-    if (!wanted) return;
-    s.sums.contribute();
-    if (s.sleep.any()) s.sleep.fill(s.sums);
-    average_cells(s.grid, s.sums);
+    s.spare.contribute();
+    if (s.sleep.any()) s.sleep.fill(s.spare);
+    double beside = 0;
+    for (auto& g : s.groups)
+      if (g->fluid()) beside = g->transfer->beside();
+    describe_cells(s.grid, s.spare, beside);
     if (s.grid.scale.extent(0) > 0) scale_cells(s.grid);
     if (s.grid.smoothness.extent(0) > 0) limit_cells(s.grid);
   }
 
   void scatter_force(Accumulator& sums) {
-    sums.clear(D);
     for (auto& g : s.groups)
       g->transfer->scatter_force(sweep, g->particles, s.grid, g->stress(), sums);
   }
@@ -195,24 +194,17 @@ class Step {
   /// grid.after <- grid.before + dt f / m, after what the sweep holds.
   void force_to_grid() {
     Accumulator& sums = s.force_early() ? s.spare : s.sums;
-    if (!s.force_early()) scatter_force(sums);
+    if (!s.force_early()) {
+      sums.clear(D);
+      scatter_force(sums);
+    }
     sweep.run();
     push_walls(collect(sums, D), dt);
     if (!s.springs.empty()) push_walls(s.springs.pull(s.grid, sums.total, dt), 1);
     for (std::size_t c = 0; c < s.grid.own.size(); ++c) push_walls(images(s.grid.before, c), 1);
-    const auto before = s.grid.before, after = s.grid.after, force = sums.total;
-    const double step = dt;
-    double fastest = 0;
-    Kokkos::parallel_reduce(
-        "move grid", nodes(),
-        KOKKOS_LAMBDA(const int n, double& so_far) {
-          const double m = before(n, D);
-          for (int d = 0; d < D; ++d) {
-            after(n, d) = before(n, d) + (m > 0 ? step * force(n, d) / m : 0);
-            so_far = most(so_far, most(fabs(before(n, d)), fabs(after(n, d))));
-          }
-        },
-        Kokkos::Max<double>(fastest));
+    const auto after = s.grid.after;
+    const double fastest = greatest_of("move grid", AllNodes{s.grid.lattice.size},
+                                       MoveNodes<D>{s.grid.before, sums.total, after, dt});
     in_waves = s.wavefront.takes(s.groups, s.grid.lattice, s.grid.boundaries, fastest * dt);
     fill(after, D, D, s.grid.lattice, s.grid.boundaries);
     for (std::size_t c = 0; c < s.grid.own.size(); ++c) push_walls(images(after, c), -1);

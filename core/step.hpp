@@ -43,7 +43,8 @@ struct State {
   std::vector<std::unique_ptr<Group<G>>> groups;
   StepScheme scheme;
   Accumulator sums;
-  Accumulator spare;  ///< of relaxations, which read one while they write the other, or of forces
+  Accumulator spare;  ///< of relaxations, which read one while they write the other; at the start
+                      ///< of a step of forces and, from column D on, of volumes in cells
   Accumulator means;  ///< of stress; empty unless the scheme relaxes it
   Sorter<G> sorter;
   Wavefront<G> wavefront;
@@ -66,11 +67,11 @@ struct State {
   State(const Grid<G>& grid_, const StepScheme& scheme_)
       : grid(grid_),
         scheme(scheme_),
-        sums(grid_.lattice.size,
-             std::max(D + (grid_.mixed() ? 2 : 1), scheme_.rates.any() ? relaxation_columns : 0),
+        sums(grid_.lattice.size, std::max(D + 1, scheme_.rates.any() ? relaxation_columns : 0),
              scheme_.summation),
-        spare(scheme_.rates.any() || force_early() ? grid_.lattice.size : 0,
-              scheme_.rates.any() ? relaxation_columns : D, scheme_.summation),
+        spare(scheme_.rates.any() || force_early() || grid_.knows_cells() ? grid_.lattice.size : 0,
+              std::max(D + grid_.volumes(), scheme_.rates.any() ? relaxation_columns : 0),
+              scheme_.summation),
         means(scheme_.relaxes_stress ? grid_.lattice.size : 0, 4, scheme_.summation),
         longest("longest of rows",
                 scheme_.split_length > 0 ? RowLayout<D>(grid_.lattice).rows : 0) {}
@@ -95,8 +96,8 @@ struct State {
 template <class G>
 void prepare(State<G>& state);
 
-/// The start of a step: velocities and gradients. Returns the fastest signal over the grid, which
-/// decides how far the step may go. [m/s]
+/// The start of a step: velocities of the nodes, and what fills cells. Returns the fastest signal
+/// over the grid, which decides how far the step may go. [m/s]
 template <class G>
 double begin_step(State<G>& state, Exchange<G>& others);
 

@@ -31,6 +31,8 @@ class Transfer {
   virtual bool sized() const = 0;
   virtual bool affine() const = 0;
   virtual bool cell_quadrature() const = 0;
+  /// The weight of a node at the next one. [-]
+  virtual double beside() const = 0;
   /// sum over nodes of N r r, the second moment that carries affine kinetic energy. [m^2]
   virtual double affine_inertia(double h) const = 0;
 
@@ -50,10 +52,10 @@ class Transfer {
   virtual void gather_gradient(Sweep<D>&, const Particles<G>&,
                                const Table<double>& velocity) const = 0;
 
-  /// sums <- volume-weighted diagonal of the gradient and volume (column D) of each cell.
-  virtual void scatter_cells(Sweep<D>&, const Particles<G>&, const Accumulator&) const = 0;
-
-  /// sums(column) <- volume of the particles, spread over the cells that their shapes overlap.
+  /// sums(column) <- volume of the particles in each cell; or spread over the cells that their
+  /// shapes overlap.
+  virtual void scatter_volume(Sweep<D>&, const Particles<G>&, int column,
+                              const Accumulator&) const = 0;
   virtual void scatter_overlap(Sweep<D>&, const Particles<G>&, int column,
                                const Accumulator&) const = 0;
 

@@ -19,6 +19,7 @@ class TransferBy final : public Transfer<G> {
   bool sized() const override { return S::sized; }
   bool affine() const override { return M::affine; }
   bool cell_quadrature() const override { return M::cells; }
+  double beside() const override { return S::beside; }
   double affine_inertia(double h) const override { return S::affine_inertia * h * h; }
 
   void find_bins(Sweep<D>& in, const Particles<G>& points) const override {
@@ -54,9 +55,9 @@ class TransferBy final : public Transfer<G> {
         "gather gradient", KOKKOS_LAMBDA(const Row<D>& row) { rows.gradients(row, velocity); });
   }
 
-  void scatter_cells(Sweep<D>& in, const Particles<G>& points,
-                     const Accumulator& sums) const override {
-    in.add("scatter cells", sums, ScatterCells<R>{{points, in.lattice()}});
+  void scatter_volume(Sweep<D>& in, const Particles<G>& points, int column,
+                      const Accumulator& sums) const override {
+    in.add("scatter volume", sums, ScatterVolume<R>{{points, in.lattice()}, column});
   }
 
   void scatter_overlap(Sweep<D>& in, const Particles<G>& points, int column,

@@ -29,9 +29,10 @@ struct Midpoint {
 
   KOKKOS_INLINE_FUNCTION void operator()(const Row<D>& row) const {
     const Particles<G>& points = rows.points;
+    const bool apart = own.data() != before.data();
     rows.for_tiles(row, [&](const Tile& tile, const typename R::Base& base) {
       const Field v0(before, rows.lattice, tile), v1(after, rows.lattice, tile),
-          mine(own, rows.lattice, tile);
+          mine = apart ? Field(own, rows.lattice, tile) : v0;
       Field change, half;
       for (int i = 0; i < D; ++i)
         for (int k = 0; k < nodes; ++k) {

@@ -253,29 +253,25 @@ struct Rows {
     });
   }
 
-  /// sums <- V times the diagonal of L, and V, of the cell that holds each particle.
+  /// sums(column) <- V of each particle, in the cell that holds it.
   template <class To>
-  KOKKOS_INLINE_FUNCTION void cells(const Row<D>& row, const To& to) const {
+  KOKKOS_INLINE_FUNCTION void volume(const Row<D>& row, int column, const To& to) const {
     constexpr int W = S::holding;
     using C = Around<D, W>;
-    TileSums<D, W, D + 1, To> sums(to, lattice, 0, first_cell());
-    for_tiles(row, [&](const Tile& tile, const Base& base) {
-      Wide sum[D + 1][C::count];
+    TileSums<D, W, 1, To> sums(to, lattice, column, first_cell());
+    for_tiles(row, [&](const Tile& tile, [[maybe_unused]] const Base& base) {
+      Wide sum[1][C::count];
       tile.for_bundles([&](const auto& b) BRISANCE_INLINE {
         const Wide v = points.get(points.volume, b);
-        Wide add[D + 1];
-        for (int d = 0; d < D; ++d) add[d] = v * points.get(points.gradient, b, d * D + d);
-        add[D] = v;
-        for (int k = 0; k < C::count; ++k)
-          for (int c = 0; c <= D; ++c) {
-            if constexpr (W == 1) {
-              sum[c][k] += add[c];
-            } else {
-              WideBool here = holds(b, base, C::digit(k, 0), 0);
-              for (int d = 1; d < D; ++d) here = here && holds(b, base, C::digit(k, d), d);
-              sum[c][k] += select(here, add[c], 0);
-            }
+        for (int k = 0; k < C::count; ++k) {
+          if constexpr (W == 1) {
+            sum[0][k] += v;
+          } else {
+            WideBool here = holds(b, base, C::digit(k, 0), 0);
+            for (int d = 1; d < D; ++d) here = here && holds(b, base, C::digit(k, d), d);
+            sum[0][k] += select(here, v, 0);
           }
+        }
       });
       sums.add(tile, sum);
     });

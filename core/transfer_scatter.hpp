@@ -25,11 +25,12 @@ struct ScatterForce {
 };
 
 template <class R>
-struct ScatterCells {
+struct ScatterVolume {
   R rows;
+  int column;
   template <class To>
   KOKKOS_INLINE_FUNCTION void operator()(const Row<R::D>& row, const To& to) const {
-    rows.cells(row, to);
+    rows.volume(row, column, to);
   }
 };
 

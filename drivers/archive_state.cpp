@@ -56,7 +56,7 @@ void keep_particles(Archive& archive, Particles<G>& p) {
   });
 }
 
-/// MUSL finds them at the end of a step for the next.
+/// Found at the end of a step for the next.
 template <class G>
 void keep_signals(Archive& archive, Group<G>& group, const Lattice<G::dim>& lattice) {
   Signals fastest;
@@ -154,7 +154,7 @@ void keep(Archive& archive, State<G>& state) {
       long in_motion = group->in_motion;
       archive.keep("in motion", in_motion);
       group->in_motion = in_motion != 0;
-      if (!state.scheme.midpoint) keep_signals(archive, *group, state.grid.lattice);
+      keep_signals(archive, *group, state.grid.lattice);
       keep_particles(archive, group->particles);
     }
     // Particles are in the order of their bins already, which a stable sort keeps: this finds where

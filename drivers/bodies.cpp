@@ -217,7 +217,6 @@ void seed(State<G>& state, const List& scene, const ExactSolution* exact) {
   needs.relaxation = rates.pressure > 0 || rates.volume > 0 || rates.heat > 0;
   needs.extent = state.scheme.split_length > 0;
   needs.compression = rates.heat > 0;
-  needs.gradient_lasts = !state.scheme.midpoint && state.grid.cell.extent(0) > 0;
   for (auto& group : state.groups) seeder.fill(*group, needs);
 }
 

@@ -12,7 +12,7 @@ namespace brisance {
 
 /// What a checkpoint tells of itself.
 struct CheckpointHead {
-  std::int64_t format = 4;
+  std::int64_t format = 5;
   std::string program, commit;  ///< that wrote it
   std::string scene, title;
   std::int64_t step = 0, threads = 1;

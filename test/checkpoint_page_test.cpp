@@ -45,7 +45,7 @@ TEST_F(CheckpointPage, HasAProgramThatReadsOne) {
   ASSERT_EQ(std::system(command.c_str()), 0) << read_file(told);
   const CheckpointHead head = read_checkpoint(newest).head;
   const std::string text = read_file(told);
-  EXPECT_THAT(text, HasSubstr("format 4\n"));
+  EXPECT_THAT(text, HasSubstr("format 5\n"));
   EXPECT_THAT(text, HasSubstr("written by " + head.program + " at step " +
                               std::to_string(head.step) + " time "));
   EXPECT_THAT(text, HasSubstr("<ParameterList name=\"bomb_quarter\">\n"));

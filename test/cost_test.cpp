@@ -92,9 +92,9 @@ TEST(Cost, OfBalancedInThePlaneIsThis) {
       cost.names() - permuting,
       (sorting +
        Names{"scatter momentum", "hold wall", "nodal velocity", "gather gradient", "signals",
-             "fastest signals",
+             "fastest signals", "fastest strain",
              // cells: volumes to fill them, and the limiter
-             "scatter cells", "average cells", "fill halo cells", "scale cells", "limit cells",
+             "scatter volume", "describe cells", "fill halo cells", "scale cells", "limit cells",
              // the midpoint
              "half step", "scatter force", "move grid", "finish midpoint", "strain",
              "receive energy", "longest particle", "longest of rows",
@@ -151,7 +151,7 @@ TEST(Cost, OfWhatIsNotAskedForIsNothing) {
   const Cost no_cells =
       without({"scheme/quadrature=particle", "scheme/artificial viscosity/limiter=0"});
   for (const char* kernel :
-       {"scatter cells", "average cells", "scale cells", "limit cells", "fill halo cells"}) {
+       {"scatter volume", "describe cells", "scale cells", "limit cells", "fill halo cells"}) {
     EXPECT_TRUE(all.launches(kernel));
     EXPECT_FALSE(no_cells.launches(kernel)) << kernel;
   }
@@ -187,12 +187,12 @@ TEST(Cost, OfASolidInThePlaneIsThis) {
   List given = test::scene(2, {"bodies/first/pressure=2"});
   given.sublist("materials").sublist("gas") = test::elastic_material();
   const Cost cost = cost_of(complete_scene(given));
-  EXPECT_EQ(
-      cost.names() - permuting,
-      (sorting + Names{"scatter momentum", "fold halo", "mirror momentum", "hold wall",
-                       "nodal velocity", "fill halo", "image momentum", "gather gradient",
-                       "signals", "fastest signals", "half step of solid", "scatter tensor force",
-                       "move grid", "finish tensor midpoint", "finish solid"}));
+  EXPECT_EQ(cost.names() - permuting,
+            (sorting + Names{"scatter momentum", "fold halo", "mirror momentum", "hold wall",
+                             "nodal velocity", "fill halo", "image momentum", "gather gradient",
+                             "signals", "fastest signals", "fastest strain", "half step of solid",
+                             "scatter tensor force", "move grid", "finish tensor midpoint",
+                             "finish solid"}));
   EXPECT_EQ(cost.columns, (Columns{{"position", 16},
                                    {"velocity", 16},
                                    {"mass", 8},

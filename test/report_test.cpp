@@ -70,7 +70,7 @@ TEST(Report, IsInTheSummaryForMachines) {
   EXPECT_LE(kernels, 1);
   EXPECT_NEAR(parts, 1, 1e-9);
   EXPECT_EQ(calls["steps"], j["steps"]);
-  EXPECT_EQ(calls["scatter momentum"], j["steps"]);
+  EXPECT_EQ(calls["fastest strain"], j["steps"]);
   EXPECT_EQ(calls["output"], 11);
   EXPECT_EQ(calls["checkpoints"], j["steps"].get<int>() / 20 + 1);
   EXPECT_FALSE(spent["since_restart"]);

@@ -37,10 +37,11 @@ class EveryTransfer : public testing::Test {
   static void know_cells(State<G>& state, const Group<G>& group) {
     if (!group.transfer->cell_quadrature()) return;
     state.sums.clear();
-    test::sweep(state.grid.lattice,
-                [&](auto& in) { group.transfer->scatter_cells(in, group.particles, state.sums); });
+    test::sweep(state.grid.lattice, [&](auto& in) {
+      group.transfer->scatter_volume(in, group.particles, D, state.sums);
+    });
     state.sums.contribute();
-    average_cells(state.grid, state.sums);
+    describe_cells(state.grid, state.sums, group.transfer->beside());
     scale_cells(state.grid);
   }
 
