@@ -10,7 +10,7 @@ namespace {
 /// From one column to the next, in doubles: columns that start at the same place of a memory page
 /// would push each other out of the cache.
 std::size_t stride_of(int places) {
-  constexpr std::size_t page = 512, apart = 40;
+  constexpr std::size_t page = 512, apart = 216;
   const auto n = static_cast<std::size_t>(places);
   return n < 8 * page ? n : (n + page - 1) / page * page + apart;
 }
