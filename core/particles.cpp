@@ -32,15 +32,14 @@ Particles<G>::Particles(int capacity, const ColumnNeeds& needs)
       history(no_column(needs.history)),
       gradient{no_column(D * D)},
       work{no_column(0)},
-      acts_apart(needs.half_stress),
-      gradient_lasts(needs.gradient_lasts) {
+      acts_apart(needs.half_stress) {
   if (acts_apart) acting = no_column(static_cast<int>(stress.extent(1)));
   if (needs.affine) affine = no_column(D * D);
   if (needs.extent) extent = no_column(D);
   if (needs.compression) compression = no_column(1);
   scratch = no_column(needs.relaxation ? 3 : needs.stress_relaxation ? 4 : 0);
-  passing_ = no_column((gradient_lasts ? 0 : D * D) + (needs.work ? 1 : 0));
-  by_row_ = kernels_on_host && !gradient_lasts;
+  passing_ = no_column(D * D + (needs.work ? 1 : 0));
+  by_row_ = kernels_on_host && !needs.passing_lasts;
   each_column([&](const char*, const Table<double>& column, bool carried) {
     if (carried) carried_ += static_cast<int>(column.extent(1));
   });
@@ -118,12 +117,11 @@ void Particles<G>::lay_out() {
   static_assert(sizeof(std::int64_t) == sizeof(double));
   id = Array<std::int64_t>(reinterpret_cast<std::int64_t*>(slot(next, offset_).data()), capacity_);
   if (!acts_apart) acting = stress;
-  const int of_gradient = gradient_lasts ? 0 : D * D;
   const auto passing = [&](int from, int to) {
     return Passing{Kokkos::subview(passing_, Kokkos::ALL, Kokkos::make_pair(from, to))};
   };
-  if (!gradient_lasts) gradient = passing(0, of_gradient);
-  work = passing(of_gradient, static_cast<int>(passing_.extent(1)));
+  gradient = passing(0, D * D);
+  work = passing(D * D, static_cast<int>(passing_.extent(1)));
 }
 
 template struct Particles<Line>;

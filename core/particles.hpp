@@ -26,8 +26,8 @@ struct ColumnNeeds {
   bool stress_relaxation = false;  ///< of solids: residuals of the direct stresses and a weight
   bool extent =
       false;  ///< edges of each particle, where the scheme asks for them in more than one direction
-  bool gradient_lasts = false;  ///< whether the velocity gradient is asked for after the sweep that
-                                ///< finds it, and after the next sort
+  bool passing_lasts = false;  ///< whether what stages pass on has a place for each particle, so
+                               ///< that it can be looked at after the sweep
 };
 
 /// One column of a table of particles or nodes; where several are meant, the first.
@@ -57,7 +57,7 @@ struct Particles {
   Passing work;               ///< specific energy received [J/kg]
   Table<double> compression;  ///< -tr D at the end of the last step [1/s]
   Table<double> acting;  ///< the stress that pulls at the nodes: `stress` itself, or a column apart
-  bool acts_apart = false, gradient_lasts = false;
+  bool acts_apart = false;
   Array<std::int64_t> id;
   Array<int> first;  ///< of each bin: how many particles lie in those before; a row of bins b .. c
                      ///< holds the particles first(b) .. first(c), tile by tile
@@ -83,7 +83,6 @@ struct Particles {
   void each_column(F&& f) {
     f("position", position, true);
     f("velocity", velocity, true);
-    if (gradient_lasts) f("gradient", gradient.table, true);
     f("mass", mass, true);
     f("volume", volume, true);
     f("stress", stress, true);
@@ -116,11 +115,10 @@ struct Particles {
   KOKKOS_FORCEINLINE_FUNCTION static auto get(const Passing& column, const I& p, int k = 0) {
     return column.get(p, k);
   }
-  /// Asks the memory for what stands in all columns of a table `ahead` particles further on.
-  KOKKOS_FORCEINLINE_FUNCTION static void ask_for(const Table<double>& table, const Bundle<true>& b,
-                                                  int ahead) {
-    for (int k = 0; k < static_cast<int>(table.extent(1)); ++k)
-      prefetch(&table(b.first, k) + ahead);
+  /// Asks the memory for what stands in the first columns of a table `ahead` particles further on.
+  KOKKOS_FORCEINLINE_FUNCTION static void ask_for(const Table<double>& table, int columns,
+                                                  const Bundle<true>& b, int ahead) {
+    for (int k = 0; k < columns; ++k) prefetch(&table(b.first, k) + ahead);
   }
   KOKKOS_FORCEINLINE_FUNCTION static void put(const Table<double>& column, int p, int k,
                                               double value) {

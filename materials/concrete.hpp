@@ -28,16 +28,17 @@ struct Concrete : Solid {
   };
   using History = HistoryOf<double>;
   static constexpr int field_count = 14;
+  static constexpr int deciding = 7;  ///< what the stress depends on is among the first so many
   template <class T>
   static constexpr Field<HistoryOf<T>, T> fields_of[field_count] = {
       {"energy", "J/kg", &HistoryOf<T>::energy},
       {"crack density", "-", &HistoryOf<T>::crack_density},
-      {"damage", "-", &HistoryOf<T>::damage},
       {"peak rate", "1/s", &HistoryOf<T>::peak_rate},
       {"decohesion", "-", &HistoryOf<T>::lambda},
       {"normal x", "-", &HistoryOf<T>::normal_x},
       {"normal y", "-", &HistoryOf<T>::normal_y},
       {"strength", "Pa", &HistoryOf<T>::strength},
+      {"damage", "-", &HistoryOf<T>::damage},
       {"opening", "m", &HistoryOf<T>::opening},
       {"slip", "m", &HistoryOf<T>::slip},
       {"plastic strain", "-", &HistoryOf<T>::plastic_strain},

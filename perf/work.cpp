@@ -70,7 +70,8 @@ constexpr double receive = 23;        // volume, energy with its floor shared in
 // ---- Once a node or cell ----
 constexpr double velocity_of_nodes = 2, kick = 6, difference = 2;
 constexpr double nodes_of_midpoint = (velocity_of_nodes + kick) / per_cell;
-constexpr double cell_means = 5 + 3 / per_cell;  // V L and V summed, mean
+constexpr double cell_volume = 1;                                                // summed
+constexpr double cell_rates = 16 / per_cell, smooth_cell_rates = 64 / per_cell;  // along x and y
 constexpr double fill_of_cells = 12 / per_cell;  // is it full, with its neighbours?
 constexpr double smoothness = 22 / per_cell;     // limiter along x and y
 constexpr double gradient_in_cell = 16 / per_cell;
@@ -118,7 +119,7 @@ Work by_cells(double q, double relaxation) {
   const double half_step = strain + q + 4 + gas_energy,
                finish = linear.weights + flip_with_heat(linear) + gradient_in_cell +
                         work_of_stress + 2 * 2 * linear.nodes + move + stretch + receive;
-  return work(momentum(linear) + gradient_in_cell + signals + cell_means + fill_of_cells +
+  return work(momentum(linear) + gradient_in_cell + signals + cell_volume + fill_of_cells +
                   half_step + force_in_cell + nodes_of_midpoint + finish + relaxation,
               common_values + energy + edges);
 }
@@ -129,8 +130,9 @@ Work accurate() {
                finish = mls_gradient(s) + apic_with_heat(s) + work_of_stress + 2 * 2 * s.nodes +
                         move + stretch + receive,
                relaxation = relaxations(s);
-  return work(affine_momentum(s) + mls_gradient(s) + signals + cell_means + smoothness + half_step +
-                  mls_pressure_force(s) + nodes_of_midpoint + finish + relaxation,
+  return work(affine_momentum(s) + mls_gradient(s) + signals + cell_volume + smooth_cell_rates +
+                  smoothness + half_step + mls_pressure_force(s) + nodes_of_midpoint + finish +
+                  relaxation,
               common_values + energy + edges + affine);
 }
 
@@ -139,7 +141,8 @@ Work accurate() {
 Work gas_work(const std::string& preset, bool quadratic_) {
   if (preset == "paper") return paper(quadratic_ ? quadratic : linear);
   if (preset == "fast") return by_cells(neumann, volume_relaxation(linear) / 4);
-  if (preset == "balanced") return by_cells(kurapatenko, smoothness + relaxations(linear));
+  if (preset == "balanced")
+    return by_cells(kurapatenko, cell_rates + smoothness + relaxations(linear) / 2);
   return accurate();
 }
 

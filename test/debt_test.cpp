@@ -29,7 +29,7 @@ struct Bins {
  private:
   static State<Line> at_rest() {
     test::RandomGas of;
-    of.regular = of.gradient_lasts = true;
+    of.regular = of.passing_lasts = true;
     of.velocity_range = of.pressure_range = 0;
     return test::random_gas<Line>(of);
   }

@@ -159,7 +159,7 @@ TYPED_TEST(EveryRelaxation, EnergyReceivedNeverLeavesLessThanAFifth) {
     SCOPED_TRACE(worst);
     RandomGas of;
     of.per_cell = 8;
-    of.gradient_lasts = true;
+    of.passing_lasts = true;
     auto state = random_gas<TypeParam>(of);
     auto& p = state.groups[0]->particles;
     const int bins = state.grid.lattice.size;

@@ -122,7 +122,7 @@ std::unique_ptr<Group<PlaneStrain>> one_particle(const std::string& law, bool mi
   group->scheme.midpoint = midpoint;
   group->transfer = make_transfer<PlaneStrain>({"quadratic", "FLIP", "particle"});
   ColumnNeeds needs;
-  needs.gradient_lasts = true;
+  needs.passing_lasts = true;
   group->allocate(1, needs);
   auto& p = group->particles;
   p.count = 1;

@@ -143,7 +143,7 @@ Particles<PlaneStrain> block(double a, double b) {
   needs.extent = true;
   needs.history = 1;
   needs.affine = true;
-  needs.gradient_lasts = true;
+  needs.passing_lasts = true;
   Particles<PlaneStrain> p(1, needs);
   p.count = 1;
   p.extent(0, 0) = a;

@@ -43,7 +43,7 @@ class Filler {
     const int per_cell = of_.per_cell, all = power(of_.cells, D) * power(per_cell, D);
     ColumnNeeds needs;
     needs.relaxation = needs.compression = true;
-    needs.gradient_lasts = of_.gradient_lasts;
+    needs.passing_lasts = of_.passing_lasts;
     group.allocate(all / of_.groups + 1, needs);
     Particles<G>& p = group.particles;
     for (int n = k; n < all; n += of_.groups) {

@@ -27,7 +27,7 @@ struct RandomGas {
   std::string shock = "none";   ///< form of the artificial viscosity
   double pressure_range = 0.5;  ///< pressures lie within 1 +- this [Pa]
   double velocity_range = 0.5;  ///< [m/s]
-  bool gradient_lasts = false;  ///< so that gradients and work can be set and looked at
+  bool passing_lasts = false;   ///< so that gradients and work can be set and looked at
   bool regular = false;         ///< places and volumes of a lattice, density 1, in place of random
   std::uint32_t seed = 1;
 };

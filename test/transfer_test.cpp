@@ -106,7 +106,7 @@ TYPED_TEST(EveryTransfer, ForcesSumToZero) {
 TYPED_TEST(EveryTransfer, FindsTheGradientOfALinearVelocity) {
   RandomGas of;
   of.side = Side::free;
-  of.gradient_lasts = true;
+  of.passing_lasts = true;
   Mat<TypeParam::dim> truth;
   for (int k = 0; k < TypeParam::dim * TypeParam::dim; ++k) truth.a[k] = 1 - 0.7 * k;
   this->for_each(of, [&](auto& state, auto& group, auto& transfer) {
@@ -129,7 +129,7 @@ TYPED_TEST(EveryTransfer, FindsTheGradientOfALinearVelocity) {
 TYPED_TEST(EveryTransfer, ForceAndGradientAreAdjoint) {
   RandomGas of;
   of.newtonian = true;
-  of.gradient_lasts = true;
+  of.passing_lasts = true;
   of.side = Side::wall;
   this->for_each(of, [](auto& state, auto& group, auto& transfer) {
     const auto& lattice = state.grid.lattice;
@@ -192,7 +192,7 @@ TYPED_TEST(EveryTransfer, OfOneVelocityForAllChangesNothing) {
   RandomGas of;
   of.damping = 0.5;
   of.pressure_range = 0;
-  of.gradient_lasts = true;
+  of.passing_lasts = true;
   this->for_each(of, [](auto& state, auto& group, auto& transfer) {
     const auto& p = group.particles;
     for (int n = 0; n < state.grid.lattice.size; ++n)
