@@ -11,10 +11,7 @@ Preset preset(const std::string& name, int dim, bool solids_meet_fluids) {
   // In the plane a thousandth more than a cell, so that single points that fill theirs do not fall
   // apart when they breathe.
   p.split_length = dim == 1 ? 0.5 : 1.001;
-  if (name == "balanced") {
-    p.relaxation_interval = 2;  // errors as with 1, a sixth less time; explosives 5 % worse
-    return p;
-  }
+  if (name == "balanced") return p;
   if (name == "paper") {
     p.quadrature = "particle";
     p.integration = "MUSL";
