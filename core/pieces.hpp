@@ -46,7 +46,7 @@ struct InnerCells {
   }
 };
 
-/// f(bundle) for each. One by one, with a division for each number, nodes take six times as long.
+/// f(bundle) for each. One by one, with a division for each number, nodes take three times as long.
 template <class Pieces, class F>
 void for_each(const char* name, const Pieces& pieces, const F& f) {
   Kokkos::parallel_for(
