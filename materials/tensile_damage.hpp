@@ -33,6 +33,7 @@ struct TensileDamage {
   KOKKOS_FORCEINLINE_FUNCTION T density_at(const T& rate) const {
     return growth / square(rate);
   }
+  /// Cd at a volumetric strain [-], the rate as above.
   template <class T>
   KOKKOS_FORCEINLINE_FUNCTION T crack_density(const T& volume_strain, const T& rate) const {
     return density_at(rate) * raised(volume_strain, m);
