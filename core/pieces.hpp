@@ -50,7 +50,7 @@ struct InnerCells {
 template <class Pieces, class F>
 void for_each(const char* name, const Pieces& pieces, const F& f) {
   Kokkos::parallel_for(
-      name, Kokkos::RangePolicy<Space>(0, pieces.count),
+      name, Kokkos::RangePolicy<Space, Kokkos::Schedule<Kokkos::Dynamic>>(0, pieces.count),
       KOKKOS_LAMBDA(const int k) { pieces.of_piece(k, f); });
 }
 

@@ -57,7 +57,7 @@ class Relaxation {
 
   /// Scratch column <- itself without its mean by volume.
   void remove_mean(int column) {
-    spare->clear(2);
+    sweep.clear(*spare, 2);
     for_fluids([&](Group<G>& g) {
       auto& p = g.particles;
       g.transfer->scatter_mean(sweep, p, {{p.scratch, column}, {p.volume}}, 0, *spare);
@@ -74,7 +74,7 @@ class Relaxation {
   void volume(const RelaxationRates& rates, const Table<double>& asleep) {
     const bool presses = rates.pressure > 0;
     if (presses) for_fluids([&](Group<G>& g) { g.load_pressure(sweep); });
-    spare->clear(4);
+    sweep.clear(*spare, 4);
     for (auto& g : groups) {
       auto& p = g->particles;
       const bool relaxes = g->relaxes();
@@ -122,7 +122,7 @@ class Relaxation {
   void energy(bool exchanges, double heat) {
     for_fluids([&](Group<G>& g) { g.exchange_volume(sweep, exchanges, heat); });
     const bool both = exchanges && heat > 0;
-    spare->clear(both ? 4 : 2);
+    sweep.clear(*spare, both ? 4 : 2);
     for_fluids([&](Group<G>& g) {
       auto& p = g.particles;
       const Weighted cost{{p.scratch, 0}, {p.scratch, 1}}, hot{{p.history}, {p.scratch, 2}};

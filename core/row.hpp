@@ -40,6 +40,12 @@ struct RowLayout {
         rows_in_block(D == 1 ? 1 : lines_in_block * pieces),
         blocks((rows + rows_in_block - 1) / rows_in_block) {}
 
+  /// Of a block, whose bins are the nodes that no block before reaches but its neighbour.
+  int first_bin(int block) const {
+    const int bins = D == 1 ? length : lines_in_block * line;
+    return block < blocks ? block * bins : lattice.size;
+  }
+
   KOKKOS_INLINE_FUNCTION Row<D> row(int number) const {
     const int piece = number % pieces, start = number / pieces * line;
     Row<D> r;

@@ -9,6 +9,7 @@
 
 #include "core/accumulator.hpp"
 #include "core/row.hpp"
+#include "core/turns.hpp"
 
 namespace brisance {
 
@@ -44,30 +45,33 @@ class Sweep {
     }
   }
 
+  /// Columns first .. end - 1 of sums <- 0, before any stage adds to them.
+  void clear(Accumulator& sums, int end, int first = 0) {
+    if (sums.duplicates())
+      sums.clear(end, first);
+    else
+      cleared_.push_back({sums.total, first, end});
+  }
+
   /// Works on all rows and forgets the stages.
   void run() {
+    if (!colours_) clear_all();
     if (stages_.empty()) return;
-    const std::string name = this->name();
     const Kokkos::Experimental::UniqueToken<Space> threads;
-    const auto work = [this, threads](int block) {
-      const int thread = threads.acquire();
-      const int end = std::min(layout_.rows, (block + 1) * layout_.rows_in_block);
-      for (int k = block * layout_.rows_in_block; k < end; ++k) {
-        Row<D> row = layout_.row(k);
-        row.thread = thread;
-        work_on(row);
-      }
-      threads.release(thread);
-    };
-    if (colours_) {
-      for (int colour = 0; colour < 2; ++colour)
-        Kokkos::parallel_for(colour == 0 ? name : name + " (2)",
-                             Shared(0, (layout_.blocks - colour + 1) / 2),
-                             [=](const int k) { work(2 * k + colour); });
-    } else if (duplicates_) {
-      Kokkos::parallel_for(name, Fixed(0, layout_.blocks), work);
+    if (duplicates_) {
+      Kokkos::parallel_for(name(), Fixed(0, layout_.blocks), [this, threads](int block) {
+        const int thread = threads.acquire();
+        work_on_block(block, thread);
+        threads.release(thread);
+      });
     } else {
-      Kokkos::parallel_for(name, Shared(0, layout_.blocks), work);
+      const int workers = Space().concurrency();
+      Turns turns(layout_.blocks, workers, colours_);
+      Kokkos::parallel_for(name(), Fixed(0, workers), [this, threads, &turns](int worker) {
+        const int thread = threads.acquire();
+        turns.work(worker, [=](int block) { work_on_block(block, thread); });
+        threads.release(thread);
+      });
     }
     forget();
   }
@@ -77,17 +81,16 @@ class Sweep {
   void work_on(const Row<D>& row) const {
     for (const auto& stage : stages_) (*stage)(row);
   }
-  /// Profilers see the names of all stages, apart by commas; what a second launch with " (2)" does
-  /// belongs to the first.
+  /// Profilers see the names of all stages, apart by commas.
   std::string name() const { return watched() ? names() : "sweep"; }
   void forget() {
     stages_.clear();
+    cleared_.clear();
     colours_ = duplicates_ = false;
   }
 
  private:
-  // Whoever is free takes the next block; copies of sums ask for the same blocks each time.
-  using Shared = Kokkos::RangePolicy<Space, Kokkos::Schedule<Kokkos::Dynamic>>;
+  // Copies of sums ask for the same blocks of a thread each time.
   using Fixed = Kokkos::RangePolicy<Space, Kokkos::Schedule<Kokkos::Static>>;
 
   struct Stage {
@@ -115,9 +118,37 @@ class Sweep {
     KOKKOS_INLINE_FUNCTION void operator()(const Row<D>& row) const { f(row, scatter.access()); }
   };
 
+  struct Cleared {
+    Table<double> sums;
+    int first, end;
+    void nodes(int from, int to) const {
+      for (int k = first; k < end; ++k)
+        std::fill(&sums(from, k), &sums(from, k) + (to - from), 0.0);
+    }
+  };
+
   RowLayout<D> layout_;
   std::vector<std::unique_ptr<Stage>> stages_;
+  std::vector<Cleared> cleared_;
   bool colours_ = false, duplicates_ = false;
+
+  /// A pass of its own over the nodes takes a fiftieth of a step with two threads, which gain
+  /// nothing there: a block that comes before its neighbours clears what they add to, too.
+  void work_on_block(int block, int thread) const {
+    if (block % 2 == 0)
+      for (const Cleared& c : cleared_)
+        c.nodes(layout_.first_bin(block), layout_.first_bin(block + 2));
+    const int end = std::min(layout_.rows, (block + 1) * layout_.rows_in_block);
+    for (int k = block * layout_.rows_in_block; k < end; ++k) {
+      Row<D> row = layout_.row(k);
+      row.thread = thread;
+      work_on(row);
+    }
+  }
+  void clear_all() {
+    for (const Cleared& c : cleared_) c.nodes(0, layout_.lattice.size);
+    cleared_.clear();
+  }
 
   static bool watched() {
     return Kokkos::Tools::Experimental::get_callbacks().begin_parallel_for != nullptr;

@@ -49,8 +49,8 @@ void Springs<G>::weigh(const std::vector<std::unique_ptr<Group<G>>>& groups, con
   for (Spring& s : springs_) {
     const Group<G>& group = *groups[s.group];
     const Entry mass{group.particles.mass, 0};
-    sums.clear(2);
     Sweep<D> sweep(grid.lattice);
+    sweep.clear(sums, 2);
     group.transfer->scatter_mean(sweep, group.particles, {mass, mass}, 0, sums);
     sweep.run();
     sums.contribute();

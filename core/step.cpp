@@ -34,7 +34,7 @@ class Step {
   }
 
   double begin() {
-    s.spare.clear(D + s.grid.volumes(), s.force_early() ? 0 : D);
+    sweep.clear(s.spare, D + s.grid.volumes(), s.force_early() ? 0 : D);
     if (s.force_early()) scatter_force(s.spare);
     momentum_to_grid(s.grid.knows_cells());
     if (s.grid.knows_cells()) know_cells();
@@ -132,7 +132,7 @@ class Step {
   void momentum_to_grid(bool volumes = false) {
     s.stopped.assign(s.grid.own.size(), {});
     for (std::size_t c = 0; c < s.grid.own.size(); ++c) {
-      s.sums.clear(D + 1);
+      sweep.clear(s.sums, D + 1);
       for (auto& g : s.groups)
         if (g->velocity_class == static_cast<int>(c)) {
           g->transfer->scatter_momentum(sweep, g->particles, s.sums);
@@ -195,7 +195,7 @@ class Step {
   void force_to_grid() {
     Accumulator& sums = s.force_early() ? s.spare : s.sums;
     if (!s.force_early()) {
-      sums.clear(D);
+      sweep.clear(sums, D);
       scatter_force(sums);
     }
     sweep.run();

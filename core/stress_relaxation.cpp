@@ -10,7 +10,7 @@ namespace {
 template <class G>
 void remove_means(Sweep<G::dim>& in, Group<G>& group, const Grid<G>& grid, Accumulator& means) {
   const auto values = group.particles.scratch;
-  means.clear();
+  in.clear(means, 4);
   group.transfer->scatter_means(in, group.particles, values, means);
   in.run();
   means.contribute();

@@ -4,6 +4,7 @@
 
 #include <Teuchos_ParameterList.hpp>
 
+#include "core/schedule.hpp"
 #include "core/shape.hpp"
 #include "core/stencil.hpp"
 #include "test/state.hpp"
@@ -61,6 +62,45 @@ TEST(RowLayout, HoldsEachBinOnce) {
     }
     EXPECT_EQ(next, lattice.size);
   }
+}
+
+/// Columns that a sweep clears in passing hold what it adds, and nothing of what was there; others
+/// stay as they are.
+template <int D>
+void expect_sums_cleared(const Lattice<D>& lattice) {
+  const int reach = CubicSpline::width - 1, across = D == 1 ? 0 : reach * lattice.stride[D - 1];
+  Accumulator sums(lattice.size, 3);
+  Kokkos::deep_copy(sums.total, 7.);
+  Sweep<D> sweep(lattice);
+  sweep.clear(sums, 2, 1);
+  sweep.add("count", sums, [=](const Row<D>& row, const auto& to) {
+    for (int bin = row.begin; bin < row.end; ++bin)
+      for (const int node : {bin, bin + reach, bin + across + reach})
+        if (node < lattice.size) to(node, 1) += 1;
+  });
+  sweep.run();
+  for (int n = 0; n < lattice.size; ++n) {
+    ASSERT_EQ(sums.total(n, 0), 7);
+    ASSERT_EQ(sums.total(n, 1), 1 + (n >= reach) + (n >= across + reach)) << n;
+    ASSERT_EQ(sums.total(n, 2), 7);
+  }
+}
+
+TEST(SweepOfRows, ClearsSumsBeforeAnyBlockAdds) {
+  for (const int cells : {1, 40, 200}) {
+    expect_sums_cleared(Lattice<1>({0.}, {cells}, 1));
+    for (const int lines : {1, 9, 33}) expect_sums_cleared(Lattice<2>({0., 0.}, {cells, lines}, 1));
+  }
+}
+
+TEST(SweepOfRows, ClearsSumsThatNobodyAddsTo) {
+  const Lattice<2> lattice({0., 0.}, {20, 20}, 1);
+  Accumulator sums(lattice.size, 1);
+  Kokkos::deep_copy(sums.total, 7.);
+  Sweep<2> sweep(lattice);
+  sweep.clear(sums, 1);
+  sweep.run();
+  for (int n = 0; n < lattice.size; ++n) ASSERT_EQ(sums.total(n, 0), 0);
 }
 
 /// Weights and slopes of bundles, full and not, are those of the shape, particle by particle.
