@@ -22,10 +22,9 @@ struct Aside {
 
 /// What a chunk knows of a group.
 struct Part {
-  Aside tail;         ///< the particles at its end and beside it, where the chunk ahead writes
-  Aside wrapped;      ///< those that come around from the other end of the domain
-  int tail_from = 0;  ///< the first line of the tail, counted along the wave
-  int offset = 0;     ///< place of the next line
+  Aside held;  ///< the places of rows that come where the chunk behind still reads
+  int held_first = 0, held_end = 0;  ///< of these, those that are taken
+  int offset = 0;                    ///< place of the next line
   int first_moved = 0, last_moved = 0, fullest = 0, left = 0;
   std::vector<int> coming;  ///< plane k: the k-th that comes into each bin, modulo a power of two
   std::vector<int> sorted;  ///< of a line, bin by bin
@@ -42,8 +41,10 @@ struct Stream {
   Array<int> first;  ///< of each bin, in the new order
   Array<int> next;   ///< of each bin: how many have come; zeros before and after a wave
   int planes = 0;    ///< how many are kept of those that come into a bin
-  Table<double> aside;
   std::vector<double*> columns;
+  Aside wraps;  ///< the particles that come around from the end where the wave begins
+  Table<double> wrapped, held;
+  std::vector<double*> held_columns;
   std::vector<Part> parts;  ///< of chunks
   bool most_moved = false, any_left = false;
 
@@ -54,7 +55,6 @@ struct Stream {
 struct Chunk {
   int begin, end;
   bool first, last;  ///< of the wave
-  int tail_from;     ///< the first line along the wave that is worked on before
   int size() const { return end - begin; }
 };
 
@@ -62,6 +62,11 @@ struct Chunk {
 template <class G>
 struct Wave {
   static constexpr int D = G::dim;
+
+  struct Bins {
+    int begin, end;
+    bool holds(int b) const { return b >= begin && b < end; }
+  };
 
   RowLayout<D> layout;
   int lines = 0, line = 0;  ///< lines, and bins in each
@@ -84,8 +89,14 @@ struct Wave {
 
   bool choose(const std::vector<std::unique_ptr<Group<G>>>& groups, bool wraps_, double farthest);
   int how_many_wrap(const Stream<G>& s, double farthest) const;
-  void cut(const std::vector<std::unique_ptr<Group<G>>>& groups, int wanted);
-  void find_tails();
+  void cut(const std::vector<std::unique_ptr<Group<G>>>& groups, int threads, int for_each_thread);
+  void make_room();
+
+  /// How many particles more there are below the chunks than before, and what they hold back: to
+  /// be called when the lines beside their ends have been worked on.
+  void place_chunks();
+  int how_many(const Stream<G>& s, int l, const Bins& to) const;
+  int flow(const Stream<G>& s, int border) const;
 
   // Of a chunk; j counts its lines along the wave.
 
@@ -93,14 +104,11 @@ struct Wave {
   /// The g-th line of all along the wave.
   int line_of_all(int g) const { return up ? g : lines - 1 - g; }
   bool worked_on_before(const Chunk& c, int j) const {
-    return (j == 0 && !c.first) || j >= c.tail_from || (wraps && c.first && j < lines_that_wrap) ||
+    return (j == 0 && !c.first) || (j == c.size() - 1 && !c.last) ||
+           (wraps && c.first && j < lines_that_wrap) ||
            (wraps && c.last && j >= c.size() - lines_that_wrap);
   }
 
-  struct Bins {
-    int begin, end;
-    bool holds(int b) const { return b >= begin && b < end; }
-  };
   /// Those of a chunk that particles of a line reach without wrapping.
   Bins near(const Chunk& c, int l) const {
     return {std::max(c.begin, l - 1) * line, std::min(c.end, l + 2) * line};
@@ -113,12 +121,8 @@ struct Wave {
   /// Those that have left stay in the line, in a bin that no shape asks for.
   int bin_of(int bin, int l) const { return bin < lines * line ? bin : (l + 1) * line - 1; }
 
-  int how_many(const Stream<G>& s, int l, const Bins& to) const;
-  int flow(const Stream<G>& s, int border) const;
-
   void work_on(const Sweep<D>& sweep, const Chunk& c, int j, int thread) const;
-  void prepare(Stream<G>& s, int chunk);
-  void put_aside(const Stream<G>& s, const Aside& those) const;
+  void prepare(const Sweep<D>& sweep, int chunk, int thread);
   void append(Stream<G>& s, Part& part, int l, const Bins& to) const;
   bool comes_around(int l) const {
     return wraps && (l < lines_that_wrap || l >= lines - lines_that_wrap);
@@ -130,9 +134,11 @@ struct Wave {
   void close(Stream<G>& s, Part& part, const Chunk& c, int l) const;
   void lay_in_tiles(const Stream<G>& s, Part& part, const Row<D>& row) const;
   void lay(Stream<G>& s, Part& part, const Chunk& c, int j) const;
-  void permute(const Stream<G>& s, const Part& part, int begin, int end, bool looks_aside,
+  bool holds_back(const Stream<G>& s, const Chunk& c, int begin, int end) const;
+  void permute(const Stream<G>& s, Part& part, const Chunk& c, int begin, int end,
                bool wrapped) const;
   void roll(const Sweep<D>& sweep, int chunk, int thread);
+  void put_back(const Stream<G>& s, const Part& part) const;
 };
 
 }  // namespace brisance

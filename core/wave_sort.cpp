@@ -8,42 +8,20 @@
 namespace brisance {
 namespace {
 
-/// Of some columns: place i + shift <- place source(i).
+/// Of some columns: place i + offset of `to` <- place source(i).
 template <int columns>
-void gather(const double* const* from, int shift, const int* source, int size) {
+void gather(const double* const* from, double* const* to, int offset, const int* source, int size) {
   int i = 0;
   for (; i + Wide::lanes <= size; i += Wide::lanes) {
     int at[Wide::lanes];
     for (int lane = 0; lane < Wide::lanes; ++lane) at[lane] = source[i + lane];
-    for (int k = 0; k < columns; ++k)
-      Wide::gather(from[k], at).write(const_cast<double*>(from[k]) + shift + i);
+    for (int k = 0; k < columns; ++k) Wide::gather(from[k], at).write(to[k] + offset + i);
   }
   for (; i < size; ++i)
-    for (int k = 0; k < columns; ++k) const_cast<double*>(from[k])[shift + i] = from[k][source[i]];
+    for (int k = 0; k < columns; ++k) to[k][offset + i] = from[k][source[i]];
 }
 
 }  // namespace
-
-/// Of the particles of a line, those whose new bins are among some.
-template <class G>
-int Wave<G>::how_many(const Stream<G>& s, int l, const Bins& to) const {
-  const int* const bin = s.particles().bin.data();
-  int sum = 0;
-  for (int p = first_of(s, l); p < first_of(s, l + 1); ++p) sum += to.holds(bin[p]);
-  return sum;
-}
-
-/// How many more particles there are below a line than before.
-template <class G>
-int Wave<G>::flow(const Stream<G>& s, int border) const {
-  const int here = border * line;
-  int sum = how_many(s, border, {here - line, here}) - how_many(s, border - 1, {here, here + line});
-  if (wraps)
-    for (int g = 0; g < lines_that_wrap; ++g)
-      sum += how_many(s, lines - 1 - g, {0, lines_that_wrap * line}) -
-             how_many(s, g, {(lines - lines_that_wrap) * line, lines * line});
-  return sum;
-}
 
 template <class G>
 void Wave<G>::work_on(const Sweep<D>& sweep, const Chunk& c, int j, int thread) const {
@@ -56,28 +34,17 @@ void Wave<G>::work_on(const Sweep<D>& sweep, const Chunk& c, int j, int thread) 
   }
 }
 
+/// What others need before they begin.
 template <class G>
-void Wave<G>::put_aside(const Stream<G>& s, const Aside& those) const {
-  for (std::size_t k = 0; k < s.columns.size(); ++k) {
-    const double* const from = s.columns[k] + those.begin;
-    std::copy(from, from + those.size(), &s.aside(0, k) + those.row);
-  }
-}
-
-template <class G>
-void Wave<G>::prepare(Stream<G>& s, int chunk) {
+void Wave<G>::prepare(const Sweep<D>& sweep, int chunk, int thread) {
   const Chunk& c = chunks[chunk];
-  Part& part = s.parts[chunk];
-  part.fullest = part.left = 0;
-  part.first_moved = s.particles().count;
-  part.last_moved = -1;
-  if (part.tail.size() > 0) put_aside(s, part.tail);
-  if (part.wrapped.size() > 0) put_aside(s, part.wrapped);
-  const int begin = c.begin * line, end = c.end * line;
-  s.first(begin) = c.begin == 0 ? 0 : first_of(s, c.begin) + flow(s, c.begin);
-  if (c.end == lines) s.first(end) = s.first(end + 1) = s.particles().count;
-  part.coming.resize(static_cast<std::size_t>(s.planes) * bins_in_plane());
-  part.tiled.resize(2 * std::abs(s.shift) + Wide::lanes);  // the last eight may reach over the end
+  for (int j = 0; j < c.size(); ++j)
+    if (worked_on_before(c, j)) work_on(sweep, c, j, thread);
+  if (!wraps || !c.first) return;
+  for (Stream<G>& s : streams)
+    if (s.taken)
+      for (std::size_t k = 0; k < s.columns.size(); ++k)
+        std::copy(s.columns[k] + s.wraps.begin, s.columns[k] + s.wraps.end, &s.wrapped(0, k));
 }
 
 /// Particles of a line to the bins that they come into, in the order in which they are or, where
@@ -197,39 +164,47 @@ void Wave<G>::lay_in_tiles(const Stream<G>& s, Part& part, const Row<D>& row) co
   }
 }
 
+/// Whether places are where the chunk behind, or the line before that it needs, is still read.
 template <class G>
-void Wave<G>::permute(const Stream<G>& s, const Part& part, int begin, int end, bool looks_aside,
+bool Wave<G>::holds_back(const Stream<G>& s, const Chunk& c, int begin, int end) const {
+  if (c.first) return false;
+  return up ? begin + s.shift < first_of(s, c.begin + 1) : end + s.shift > first_of(s, c.end - 1);
+}
+
+template <class G>
+void Wave<G>::permute(const Stream<G>& s, Part& part, const Chunk& c, int begin, int end,
                       bool wrapped) const {
   const int *const source = part.tiled.data(), size = end - begin;
   const int columns = static_cast<int>(s.columns.size());
-  if (looks_aside) {
-    for (int k = 0; k < columns; ++k) {
-      const double *const from = s.columns[k], *const aside = &s.aside(0, k);
-      double* const to = s.columns[k] + s.shift + begin;
+  double* const* to = s.columns.data();
+  int offset = s.shift + begin;
+  if (holds_back(s, c, begin, end)) {
+    part.held_first = std::min(part.held_first, begin);
+    part.held_end = std::max(part.held_end, end);
+    to = s.held_columns.data();
+    offset = part.held(begin);
+  }
+  if (wrapped) {
+    for (int k = 0; k < columns; ++k)
       for (int i = 0; i < size; ++i) {
         const int p = source[i];
-        to[i] = wrapped && part.wrapped.holds(p) ? aside[part.wrapped(p)]
-                : part.tail.holds(p)             ? aside[part.tail(p)]
-                                                 : from[p];
+        to[k][offset + i] = s.wraps.holds(p) ? s.wrapped(s.wraps(p), k) : s.columns[k][p];
       }
-    }
     return;
   }
   // Four columns at once ask a quarter as often where their particles come from.
   const double* const* from = s.columns.data();
-  const int shift = s.shift + begin;
   int left = columns;
-  for (; left >= 4; left -= 4, from += 4) gather<4>(from, shift, source, size);
-  if (left == 3) gather<3>(from, shift, source, size);
-  if (left == 2) gather<2>(from, shift, source, size);
-  if (left == 1) gather<1>(from, shift, source, size);
+  for (; left >= 4; left -= 4, from += 4, to += 4) gather<4>(from, to, offset, source, size);
+  if (left == 3) gather<3>(from, to, offset, source, size);
+  if (left == 2) gather<2>(from, to, offset, source, size);
+  if (left == 1) gather<1>(from, to, offset, source, size);
 }
 
 /// Particles of a line to their new places.
 template <class G>
 void Wave<G>::lay(Stream<G>& s, Part& part, const Chunk& c, int j) const {
   const bool wrapped = wraps && c.last && j >= c.size() - lines_that_wrap;
-  const bool looks_aside = wrapped || (!c.last && j + 1 >= part.tail_from);
   const int l = line_at(c, j);
   const bool crowded = count(s, l) > s.planes || comes_around(l);
   close(s, part, c, l);
@@ -253,7 +228,7 @@ void Wave<G>::lay(Stream<G>& s, Part& part, const Chunk& c, int j) const {
       part.last_moved = std::max(part.last_moved, begin + size - 1);
     }
     part.fullest = std::max(part.fullest, size);
-    permute(s, part, begin, begin + size, looks_aside, wrapped);
+    permute(s, part, c, begin, begin + size, wrapped);
   }
   // A bin that no shape asks for holds those that have left.
   part.left += s.first((l + 1) * line) - s.first((l + 1) * line - 1);
@@ -276,10 +251,19 @@ void Wave<G>::roll(const Sweep<D>& sweep, int chunk, int thread) {
   }
 }
 
-#define BRISANCE_WAVE(G)                                                              \
-  template void Wave<G>::work_on(const Sweep<G::dim>&, const Chunk&, int, int) const; \
-  template void Wave<G>::prepare(Stream<G>&, int);                                    \
-  template void Wave<G>::roll(const Sweep<G::dim>&, int, int);
+template <class G>
+void Wave<G>::put_back(const Stream<G>& s, const Part& part) const {
+  for (std::size_t k = 0; k < s.columns.size() && part.held_first < part.held_end; ++k) {
+    const double* const from = s.held_columns[k];
+    std::copy(from + part.held(part.held_first), from + part.held(part.held_end),
+              s.columns[k] + s.shift + part.held_first);
+  }
+}
+
+#define BRISANCE_WAVE(G)                                          \
+  template void Wave<G>::prepare(const Sweep<G::dim>&, int, int); \
+  template void Wave<G>::roll(const Sweep<G::dim>&, int, int);    \
+  template void Wave<G>::put_back(const Stream<G>&, const Part&) const;
 BRISANCE_WAVE(Line)
 BRISANCE_WAVE(PlaneStrain)
 #undef BRISANCE_WAVE

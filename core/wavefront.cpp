@@ -9,7 +9,7 @@
 namespace brisance {
 namespace {
 
-constexpr int chunks_per_thread = 2;
+constexpr int chunks_per_thread = 3;
 
 /// None where no wave has looked at the group yet.
 template <class G>
@@ -41,40 +41,39 @@ bool Wavefront<G>::takes(const std::vector<std::unique_ptr<Group<G>>>& groups,
   if (!(farthest < 0.999 * lattice.h)) return false;
   if (!wave_->choose(groups, boundaries.side[D - 1][0] == Side::periodic, farthest)) return false;
   const int threads = Space().concurrency();
-  const int chunks = chunks_ > 0 ? chunks_ : threads == 1 ? 1 : chunks_per_thread * threads;
-  wave_->cut(groups, chunks);
+  if (chunks_ > 0)
+    wave_->cut(groups, chunks_, 1);
+  else
+    wave_->cut(groups, threads, threads > 1 ? chunks_per_thread : 1);
   if (chunks_ == 0 && static_cast<int>(wave_->chunks.size()) < threads) {
     for (Stream<G>& s : wave_->streams) s.taken = false;
     return false;
   }
-  wave_->find_tails();
+  wave_->make_room();
   return true;
 }
 
 template <class G>
 void Wavefront<G>::run(Sweep<D>& sweep) {
   Wave<G>& w = *wave_;
-  const int chunks = static_cast<int>(w.chunks.size());
+  const int chunks = static_cast<int>(w.chunks.size()), workers = Space().concurrency();
   const std::string name = sweep.name();
-  using Each = Kokkos::RangePolicy<Space, Kokkos::Schedule<Kokkos::Dynamic>>;
   const Kokkos::Experimental::UniqueToken<Space> threads;
   const auto for_chunks = [&](const std::string& called, const auto& f) {
-    Kokkos::parallel_for(called, Each(0, chunks).set_chunk_size(1), [&, threads](const int k) {
+    Turns turns(chunks, workers, false);
+    Kokkos::parallel_for(called, Kokkos::RangePolicy<Space>(0, workers), [&, threads](int worker) {
       const int thread = threads.acquire();
-      f(k, thread);
+      turns.work(worker, [&](int k) { f(k, thread); });
       threads.release(thread);
     });
   };
-  for_chunks(name, [&](int k, int thread) {
-    const Chunk& c = w.chunks[k];
-    for (int j = 0; j < c.size(); ++j)
-      if (w.worked_on_before(c, j)) w.work_on(sweep, c, j, thread);
-  });
-  for_chunks("put ends of chunks aside", [&](int k, int) {
-    for (auto& s : w.streams)
-      if (s.taken) w.prepare(s, k);
-  });
+  for_chunks(name, [&](int k, int thread) { w.prepare(sweep, k, thread); });
+  w.place_chunks();
   for_chunks(name + " (2)", [&](int k, int thread) { w.roll(sweep, k, thread); });
+  for_chunks("put back", [&](int k, int) {
+    for (const auto& s : w.streams)
+      if (s.taken) w.put_back(s, s.parts[k]);
+  });
   sweep.forget();
 
   for (auto& s : w.streams) {
@@ -116,7 +115,8 @@ std::size_t Wavefront<G>::bytes() const {
   if (wave_ == nullptr) return 0;
   std::size_t sum = 0;
   for (const auto& s : wave_->streams)
-    sum += (s.first.span() + s.next.span()) * sizeof(int) + s.aside.span() * sizeof(double);
+    sum += (s.first.span() + s.next.span()) * sizeof(int) +
+           (s.wrapped.span() + s.held.span()) * sizeof(double);
   return sum;
 }
 
