@@ -115,10 +115,29 @@ struct Particles {
   KOKKOS_FORCEINLINE_FUNCTION static auto get(const Passing& column, const I& p, int k = 0) {
     return column.get(p, k);
   }
-  /// Asks the memory for what stands in the first columns of a table `ahead` particles further on.
+  // Stages that are the first of a sweep to read some columns wait for the memory, since those are
+  // more than the processor foresees. Told some way ahead, to the cache behind the nearest, a sweep
+  // takes a tenth to a fifth less time, a sixth to a quarter where two threads share the memory.
+  // (Into the nearest cache: nothing, as the particles of a row fill it.)
+
+  /// Asks the memory for the first columns of a table, some way ahead.
+  template <bool full, bool repeats>
   KOKKOS_FORCEINLINE_FUNCTION static void ask_for(const Table<double>& table, int columns,
-                                                  const Bundle<true>& b, int ahead) {
-    for (int k = 0; k < columns; ++k) prefetch(&table(b.first, k) + ahead);
+                                                  const Bundle<full, repeats>& b) {
+    if constexpr (full)
+      for (int k = 0; k < columns; ++k) prefetch(&table(b.first, k) + far_ahead);
+  }
+  template <bool full, bool repeats>
+  KOKKOS_FORCEINLINE_FUNCTION static void ask_for(const Entry& column,
+                                                  const Bundle<full, repeats>& b) {
+    if constexpr (full) prefetch(&column.table(b.first, column.column) + far_ahead);
+  }
+  /// The same for all that is carried.
+  template <bool full, bool repeats>
+  KOKKOS_FORCEINLINE_FUNCTION void ask_for_all(const Bundle<full, repeats>& b) const {
+    if constexpr (full)
+      for (int k = 0; k < carried_; ++k)
+        prefetch(&store_(offset_ + b.first, k + shifted_) + far_ahead);
   }
   KOKKOS_FORCEINLINE_FUNCTION static void put(const Table<double>& column, int p, int k,
                                               double value) {
@@ -303,6 +322,7 @@ struct Particles {
   Table<double> passing_;  ///< what is not carried of gradient and work
   bool by_row_ = false;    ///< whether that has room for a row of each thread; else for all
   int row_room_ = 0;
+  static constexpr int far_ahead = 128;  ///< particles: a kilobyte of each column
   int capacity_ = 0, carried_ = 0;
   int margin_ = 0, offset_ = 0;  ///< places beyond the capacity; those of them before the first
   bool shifted_ = false;         ///< whether the spare column is the first, else the last

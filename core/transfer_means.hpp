@@ -21,9 +21,12 @@ struct Means {
     rows.for_tiles(row, [&](const Tile& tile, const Base& base) {
       typename R::template Field<2 * C> sum;
       tile.for_bundles([&](const auto& b) BRISANCE_INLINE {
+        points.ask_for(points.position, D, b);
         const typename R::At at = rows.stencil(base, b);
         for (int c = 0; c < C; ++c) {
           const Weighted& one = what[c];
+          points.ask_for(one.weight, b);
+          points.ask_for(one.value, b);
           const Wide w = points.get(one.weight.table, b, one.weight.column),
                      v = w * points.get(one.value.table, b, one.value.column);
           for (int k = 0; k < nodes; ++k) {
@@ -73,9 +76,11 @@ struct Means {
       for (int c = 0; c < C; ++c)
         fields[c] = rows.template smooth<1>(what[c].field.table, tile, what[c].field.column);
       tile.for_bundles([&](const auto& b) BRISANCE_INLINE {
+        points.ask_for(points.position, D, b);
         const typename R::At at = rows.stencil(base, b);
         for (int c = 0; c < C; ++c) {
           const Entry& to = what[c].value;
+          points.ask_for(to, b);
           Wide value = what[c].factor * fields[c].at(at, 0);
           if (what[c].keep != 0) value += what[c].keep * points.get(to.table, b, to.column);
           points.put(to.table, b, to.column, value);

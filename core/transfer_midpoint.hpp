@@ -45,6 +45,7 @@ struct Midpoint {
       if constexpr (M::cells) fill = tile.read(scale);
       Wide heat, mass;
       tile.for_bundles([&](const auto& b) BRISANCE_INLINE {
+        points.ask_for_all(b);
         const At at = rows.stencil(base, b);
         const auto gradient = rows.velocity_gradient(middle, at);
         const Wide m = points.get(points.mass, b);

@@ -97,6 +97,10 @@ struct Rows {
     for_tiles(row, [&](const Tile& tile, const Base& base) {
       Field<D + 1> sum;
       tile.for_bundles([&](const auto& b) BRISANCE_INLINE {
+        points.ask_for(points.position, D, b);
+        points.ask_for(points.velocity, D, b);
+        points.ask_for(points.mass, 1, b);
+        if constexpr (M::affine) points.ask_for(points.affine, D * D, b);
         const At at = stencil(base, b);
         const Wide m = points.get(points.mass, b);
         Wide v[D];
@@ -155,6 +159,8 @@ struct Rows {
 
     template <class Bundle>
     KOKKOS_FORCEINLINE_FUNCTION void add(const Particles<G>& of, const Bundle& b) {
+      of.ask_for(of.volume, 1, b);
+      of.ask_for(of.acting, kind == Stress::pressure ? 1 : G::stress_components, b);
       const Wide v = of.get(of.volume, b);
       if constexpr (kind == Stress::pressure)
         s[0] -= v * of.get(of.acting, b);
@@ -199,6 +205,7 @@ struct Rows {
     for_tiles(row, [&](const Tile& tile, const Base& base) {
       const Velocities v(Field<D>(velocity, lattice, tile));
       tile.for_bundles([&](const auto& b) BRISANCE_INLINE {
+        points.ask_for(points.position, D, b);
         points.set_matrix(points.gradient, b, velocity_gradient(v, stencil(base, b)));
       });
     });
@@ -227,6 +234,8 @@ struct Rows {
       Smooth<D> mine;
       if (drawn != 0) mine = smooth<D>(own, tile);
       tile.for_bundles([&](const auto& b) BRISANCE_INLINE {
+        points.ask_for(points.position, D, b);
+        points.ask_for(points.velocity, D, b);
         const At at = stencil(base, b);
         for (int i = 0; i < D; ++i) {
           Wide v = points.get(points.velocity, b, i);
@@ -245,6 +254,7 @@ struct Rows {
       const Smooth<D> v1 = smooth<D>(after, tile);
       const Velocities v(Field<D>(velocity, lattice, tile));
       tile.for_bundles([&](const auto& b) BRISANCE_INLINE {
+        points.ask_for_all(b);
         const At at = stencil(base, b);
         points.set_matrix(points.gradient, b, velocity_gradient(v, at));
         points.stretch(b, dt);
@@ -262,6 +272,7 @@ struct Rows {
     for_tiles(row, [&](const Tile& tile, [[maybe_unused]] const Base& base) {
       Wide sum[1][C::count];
       tile.for_bundles([&](const auto& b) BRISANCE_INLINE {
+        points.ask_for(points.volume, 1, b);
         const Wide v = points.get(points.volume, b);
         for (int k = 0; k < C::count; ++k) {
           if constexpr (W == 1) {
@@ -287,6 +298,7 @@ struct Rows {
     for_tiles(row, [&](const Tile& tile, const Base& base) {
       Wide sum[1][C::count];
       tile.for_bundles([&](const auto& b) BRISANCE_INLINE {
+        points.ask_for(points.volume, 1, b);
         const At at = stencil(base, b);
         Wide w[D][W];
         for (int d = 0; d < D; ++d) {

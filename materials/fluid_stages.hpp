@@ -13,6 +13,7 @@ struct HalfStep {
   double dt;
   template <class P, class I>
   KOKKOS_FORCEINLINE_FUNCTION void operator()(const P& point, const I& p) const {
+    point.look_ahead(p);
     auto h = point.load(p);
     const auto old = point.stress(p);
     point.set_stress(p, point.material.update(point.strain(p, 0.5 * dt, around), old, h).stress);
@@ -71,6 +72,7 @@ struct CorrectVolume {
   double rate;
   template <class P, class I>
   KOKKOS_FORCEINLINE_FUNCTION void operator()(const P& point, const I& p) const {
+    point.look_ahead(p);
     const auto s = point.scratch(p, 1);
     using T = std::decay_t<decltype(s)>;
     // Shares of nodes that are not full are much, or what is left of their difference.
@@ -93,6 +95,7 @@ struct ProposeExchange {
   double rate, dt, h;
   template <class P, class I>
   KOKKOS_FORCEINLINE_FUNCTION void operator()(const P& point, const I& p) const {
+    point.look_ahead(p);
     const auto state = point.load(p);
     const auto pressure = point.pressure(p), smooth = point.smooth_pressure(p);
     using T = std::decay_t<decltype(pressure)>;
@@ -117,6 +120,7 @@ struct ExchangeVolume {
   double heat;  ///< rate of the relaxation times the time it stands for [s]
   template <class P, class I>
   KOKKOS_FORCEINLINE_FUNCTION void operator()(const P& point, const I& p) const {
+    point.look_ahead(p);
     const auto h = point.load(p);
     using T = std::decay_t<decltype(h.energy)>;
     const auto relaxes = P::Law::relaxes(h);
@@ -141,6 +145,7 @@ struct ExchangeEnergy {
   bool exchanges, conducts;
   template <class P, class I>
   KOKKOS_FORCEINLINE_FUNCTION void operator()(const P& point, const I& p) const {
+    point.look_ahead(p);
     const auto h = point.load(p);
     using T = std::decay_t<decltype(h.energy)>;
     T work = exchanges ? -point.scratch(p, 0) * h.energy : T(0);

@@ -48,17 +48,16 @@ struct MaterialPoint {
   KOKKOS_INLINE_FUNCTION void save(int p, const History& h) const {
     for (int k = 0; k < M::field_count; ++k) particles.history(p, k) = h.*(M::fields[k].member);
   }
-  /// To be called where a stage begins that reads all of a point, or what decides its stress. Laws
-  /// with many state variables have them in more places than a processor follows by itself: asked
-  /// for 24 bundles ahead, a step of concrete takes a sixth less time. Steel takes a twentieth
-  /// more, gas no less.
-  template <bool all, class I>
-  KOKKOS_FORCEINLINE_FUNCTION void look_ahead([[maybe_unused]] const I& p) const {
-    if constexpr (M::field_count > 4 && std::is_same<I, Bundle<true>>::value) {
-      particles.ask_for(particles.history, all ? M::field_count : M::deciding, p, 24 * Wide::lanes);
-      particles.ask_for(particles.stress, G::stress_components, p, 24 * Wide::lanes);
-    }
+  /// To be called where a stage is the first of a sweep to read what decides the state.
+  template <bool full, bool repeats>
+  KOKKOS_FORCEINLINE_FUNCTION void look_ahead(const Bundle<full, repeats>& b) const {
+    particles.ask_for(particles.mass, 1, b);
+    particles.ask_for(particles.volume, 1, b);
+    particles.ask_for(particles.history, M::deciding, b);
+    particles.ask_for(particles.stress, M::stress == Stress::pressure ? 1 : G::stress_components,
+                      b);
   }
+  KOKKOS_FORCEINLINE_FUNCTION void look_ahead(const Single&) const {}
   template <bool full, bool repeats>
   KOKKOS_FORCEINLINE_FUNCTION auto load(const Bundle<full, repeats>& b) const {
     typename M::template HistoryOf<Wide> h;

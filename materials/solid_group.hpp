@@ -12,7 +12,7 @@ struct HalfStep {
   double dt;
   template <class P, class I>
   KOKKOS_FORCEINLINE_FUNCTION void operator()(const P& point, const I& p) const {
-    point.template look_ahead<false>(p);
+    point.look_ahead(p);
     auto h = point.load(p);
     const auto old = point.turn(p, 0.5 * dt, h);
     const auto r = point.material.update(point.strain(p, 0.5 * dt, around), old, h);
@@ -29,7 +29,6 @@ struct Finish {
   bool midpoint;
   template <class P, class I>
   KOKKOS_FORCEINLINE_FUNCTION void operator()(const P& point, const I& p) const {
-    point.template look_ahead<true>(p);
     auto h = point.load(p);
     const auto strain = point.strain(p, dt, around);
     const auto old = point.turn(p, dt, h);
