@@ -57,21 +57,16 @@ class Sweep {
   void run() {
     if (!colours_) clear_all();
     if (stages_.empty()) return;
-    const Kokkos::Experimental::UniqueToken<Space> threads;
     if (duplicates_) {
+      const Kokkos::Experimental::UniqueToken<Space> threads;
       Kokkos::parallel_for(name(), Fixed(0, layout_.blocks), [this, threads](int block) {
         const int thread = threads.acquire();
         work_on_block(block, thread);
         threads.release(thread);
       });
     } else {
-      const int workers = Space().concurrency();
-      Turns turns(layout_.blocks, workers, colours_);
-      Kokkos::parallel_for(name(), Fixed(0, workers), [this, threads, &turns](int worker) {
-        const int thread = threads.acquire();
-        turns.work(worker, [=](int block) { work_on_block(block, thread); });
-        threads.release(thread);
-      });
+      in_turns(name(), layout_.blocks, colours_,
+               [this](int block, int thread) { work_on_block(block, thread); });
     }
     forget();
   }

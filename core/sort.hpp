@@ -6,6 +6,11 @@
 
 namespace brisance {
 
+/// Bins begin .. end - 1.
+struct BinRange {
+  int begin = 0, end = 0;
+};
+
 template <class G>
 class Sorter {
  public:
@@ -20,11 +25,14 @@ class Sorter {
   bool most_moved() const { return most_moved_; }
 
   /// Memory of the work arrays. [B]
-  std::size_t bytes() const { return (source_.span() + counts_.span()) * sizeof(int); }
+  std::size_t bytes() const {
+    return (source_.span() + counts_.span()) * sizeof(int) + touched_.span() * sizeof(BinRange);
+  }
 
  private:
   Array<int> source_;
-  Table<int> counts_;  ///< (chunk of particles, bin): first the count, then the next free place
+  Table<int> counts_;  ///< (bin, chunk of particles): first the count, then the next free place
+  Array<BinRange> touched_;  ///< by each chunk
   bool most_moved_ = false;
 };
 

@@ -8,8 +8,11 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
+#include <string>
 #include <thread>
 #include <vector>
+
+#include "core/types.hpp"
 
 namespace brisance {
 
@@ -93,5 +96,20 @@ class Turns {
     while (!done_[block].load(std::memory_order_acquire)) std::this_thread::yield();
   }
 };
+
+/// Calls f(block, thread) for all blocks, on the host. The thread is one of those of the space.
+template <class F>
+void in_turns(const std::string& name, int blocks, bool apart, const F& f) {
+  const int workers = Space().concurrency();
+  const Kokkos::Experimental::UniqueToken<Space> threads;
+  Turns turns(blocks, workers, apart);
+  Kokkos::parallel_for(name,
+                       Kokkos::RangePolicy<Space, Kokkos::Schedule<Kokkos::Static>>(0, workers),
+                       [&, threads](int worker) {
+                         const int thread = threads.acquire();
+                         turns.work(worker, [&](int block) { f(block, thread); });
+                         threads.release(thread);
+                       });
+}
 
 }  // namespace brisance

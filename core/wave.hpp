@@ -92,8 +92,8 @@ struct Wave {
   void cut(const std::vector<std::unique_ptr<Group<G>>>& groups, int threads, int for_each_thread);
   void make_room();
 
-  /// How many particles more there are below the chunks than before, and what they hold back: to
-  /// be called when the lines beside their ends have been worked on.
+  /// Where the particles of chunks begin in the new order, and what chunks hold back: to be called
+  /// when the lines beside their ends have been worked on.
   void place_chunks();
   int how_many(const Stream<G>& s, int l, const Bins& to) const;
   int flow(const Stream<G>& s, int border) const;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/geometry.hpp"
+#include "core/turns.hpp"
 #include "core/wave.hpp"
 
 namespace brisance {
@@ -56,16 +57,9 @@ bool Wavefront<G>::takes(const std::vector<std::unique_ptr<Group<G>>>& groups,
 template <class G>
 void Wavefront<G>::run(Sweep<D>& sweep) {
   Wave<G>& w = *wave_;
-  const int chunks = static_cast<int>(w.chunks.size()), workers = Space().concurrency();
   const std::string name = sweep.name();
-  const Kokkos::Experimental::UniqueToken<Space> threads;
   const auto for_chunks = [&](const std::string& called, const auto& f) {
-    Turns turns(chunks, workers, false);
-    Kokkos::parallel_for(called, Kokkos::RangePolicy<Space>(0, workers), [&, threads](int worker) {
-      const int thread = threads.acquire();
-      turns.work(worker, [&](int k) { f(k, thread); });
-      threads.release(thread);
-    });
+    in_turns(called, static_cast<int>(w.chunks.size()), false, f);
   };
   for_chunks(name, [&](int k, int thread) { w.prepare(sweep, k, thread); });
   w.place_chunks();
@@ -114,9 +108,13 @@ template <class G>
 std::size_t Wavefront<G>::bytes() const {
   if (wave_ == nullptr) return 0;
   std::size_t sum = 0;
-  for (const auto& s : wave_->streams)
+  for (const auto& s : wave_->streams) {
     sum += (s.first.span() + s.next.span()) * sizeof(int) +
            (s.wrapped.span() + s.held.span()) * sizeof(double);
+    for (const Part& part : s.parts)
+      sum +=
+          (part.coming.capacity() + part.sorted.capacity() + part.tiled.capacity()) * sizeof(int);
+  }
   return sum;
 }
 

@@ -16,7 +16,7 @@ struct FluidState<false> {
     T energy = 0;
   };
   using History = HistoryOf<double>;
-  static constexpr int field_count = 1, deciding = 1;
+  static constexpr int field_count = 1, deciding = field_count;
   template <class T>
   static constexpr Field<HistoryOf<T>, T> fields_of[field_count] = {
       {"energy", "J/kg", &HistoryOf<T>::energy}};
@@ -30,7 +30,7 @@ struct FluidState<true> {
     double burned = 1;  ///< share that is products: the pressure is that of the products times it
     double lighting_time = 0;  ///< when the detonation gets here
   };
-  static constexpr int field_count = 3, deciding = 3;
+  static constexpr int field_count = 3, deciding = field_count;
   static constexpr Field<History> fields[field_count] = {
       {"energy", "J/kg", &History::energy},
       {"burned", "-", &History::burned},

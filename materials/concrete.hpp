@@ -128,14 +128,6 @@ struct Concrete : Solid {
             select(damaged, now.per_G, T(intact.per_G))};
   }
 
-  template <class T>
-  KOKKOS_FORCEINLINE_FUNCTION static IsotropicOf<T> chosen(const Truth<T>& first,
-                                                           const IsotropicOf<T>& a,
-                                                           const IsotropicOf<T>& b) {
-    return {select(first, a.K, b.K), select(first, a.G, b.G), select(first, a.per_K, b.per_K),
-            select(first, a.per_G, b.per_G)};
-  }
-
   KOKKOS_INLINE_FUNCTION DruckerPragerCone shear_only() const { return {0, 0, cone.k}; }
 
   /// Where a stretch has come to at some share of its increment.
@@ -171,7 +163,7 @@ struct Concrete : Solid {
     TensileDamage::StateOf<T> state;
     if (any_grow) {
       state = damage.at(s.Cd);
-      s.moduli = chosen(grows, state.moduli, of.moduli);
+      s.moduli = select(grows, state.moduli, of.moduli);
       s.D = state.D;
     }
     s.trial = s.stress = s.moduli.stress(strain);
@@ -234,7 +226,7 @@ struct Concrete : Solid {
       h.normal_y = select(onset, n[1], h.normal_y);
       const SymOf<T> left = added(SymOf<T>{}, 1 - share, path.de);
       path = {select(onset, end.stress, path.stress), select(onset, left, path.de),
-              chosen(onset, now, path.moduli), path.per_rho};
+              select(onset, now, path.moduli), path.per_rho};
     }
     return end.stress;
   }

@@ -12,7 +12,7 @@ struct Elastic : Solid {
     T energy = 0;
   };
   using History = HistoryOf<double>;
-  static constexpr int field_count = 1, deciding = 1;
+  static constexpr int field_count = 1, deciding = field_count;
   template <class T>
   static constexpr Field<HistoryOf<T>, T> fields_of[field_count] = {
       {"energy", "J/kg", &HistoryOf<T>::energy}};

@@ -29,13 +29,6 @@ KOKKOS_FORCEINLINE_FUNCTION SymOf<T> select(const Truth<T>& first, const SymOf<T
   return chosen;
 }
 
-KOKKOS_INLINE_FUNCTION Sym3 deviator(const Sym3& a) {
-  Sym3 dev = a;
-  const double mean = trace(a) / 3;
-  for (int k = 0; k < 3; ++k) dev[k] -= mean;
-  return dev;
-}
-
 /// The same mean, the deviator times `factor`.
 template <class T>
 KOKKOS_FORCEINLINE_FUNCTION SymOf<T> with_deviator_scaled(const SymOf<T>& a, const T& factor) {
@@ -126,5 +119,12 @@ struct IsotropicOf {
   }
 };
 using Isotropic = IsotropicOf<double>;
+
+template <class T>
+KOKKOS_FORCEINLINE_FUNCTION IsotropicOf<T> select(const Truth<T>& first, const IsotropicOf<T>& a,
+                                                  const IsotropicOf<T>& b) {
+  return {select(first, a.K, b.K), select(first, a.G, b.G), select(first, a.per_K, b.per_K),
+          select(first, a.per_G, b.per_G)};
+}
 
 }  // namespace brisance

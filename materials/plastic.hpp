@@ -13,7 +13,7 @@ struct Plastic : Solid {
     T plastic_work = 0;
   };
   using History = HistoryOf<double>;
-  static constexpr int field_count = 3, deciding = 3;
+  static constexpr int field_count = 3, deciding = field_count;
   template <class T>
   static constexpr Field<HistoryOf<T>, T> fields_of[field_count] = {
       {"energy", "J/kg", &HistoryOf<T>::energy},

@@ -91,11 +91,6 @@ void sort(benchmark::State& state, const TransferChoice& choice) {
   count(state, particles.count, values);
 }
 
-template <class F>
-void add(const std::string& name, const F& f) {
-  benchmark::RegisterBenchmark(name.c_str(), f)->UseRealTime()->Unit(benchmark::kMillisecond);
-}
-
 }  // namespace
 
 void register_kernels() {

@@ -45,11 +45,6 @@ Archive& state_at(const Moment& moment, const List& scene, const ExactSolution* 
   return reached.emplace(moment.name, Archive(std::move(written.entries()))).first->second;
 }
 
-template <class F>
-void add(const std::string& name, const F& work) {
-  benchmark::RegisterBenchmark(name.c_str(), work)->Unit(benchmark::kMillisecond)->UseRealTime();
-}
-
 }  // namespace
 
 void register_scenes() {
