@@ -132,7 +132,7 @@ struct Tile {
     if (whole)
       for (int b = 0; b < Wide::lanes; ++b) in_bin[b] = before[b + 1] - before[b];
     else
-      for (int b = 0; bin + b < end; ++b) in_bin[b] = before[b + 1] - before[b];
+      for (int b = 0; b < Wide::lanes && bin + b < end; ++b) in_bin[b] = before[b + 1] - before[b];
     Wide::permute(in_bin, order.bins(), counts);
   }
 

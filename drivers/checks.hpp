@@ -1,5 +1,6 @@
 #pragma once
 // What a scene's list "checks" demands, held against what was measured.
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -11,7 +12,10 @@ namespace brisance {
 struct Verdict {
   std::string quantity, unit;
   double measured = 0, least = 0, most = 0;
-  bool reached() const { return measured >= least && measured <= most; }  // NaN is never reached
+  /// NaN is never reached.
+  bool reached() const {
+    return std::isgreaterequal(measured, least) && std::islessequal(measured, most);
+  }
   std::string limit() const;  ///< "<= 0.011", "4.4e6 .. 4.8e6"
 };
 

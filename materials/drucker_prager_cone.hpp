@@ -35,11 +35,11 @@ struct DruckerPragerCone {
     const auto outside = wanted && (limit < T(0) || J2 > square(limit));
     if (!any(outside)) return outside;
     constexpr double per_root3 = 0.57735026918962576;
-    const T shear = sqrt(J2), flow = (shear - limit) / (m.G + 9 * alpha * beta * m.K),
-            left = shear - m.G * flow;
+    const T shear = sqrt(J2), stiffness = select(outside, T(m.G + 9 * alpha * beta * m.K), T(1)),
+            flow = (shear - limit) / stiffness, left = shear - m.G * flow;
     const auto beyond = alpha * left < T(0);
     const T apex = alpha > 0 ? k / (3 * alpha) : 0, kept = most(left, T(0)),
-            scale = kept / select(kept > T(0), shear, T(1));
+            scale = kept / select(outside && kept > T(0), shear, T(1));
     SymOf<T> back = with_deviator_scaled(stress, scale);
     for (int i = 0; i < 3; ++i) back[i] = select(beyond, apex, back[i] - 3 * beta * m.K * flow);
     stress = select(outside, back, stress);

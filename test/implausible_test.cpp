@@ -160,6 +160,9 @@ TEST(Steps, WithoutEndAreRefused) {
 }
 
 TEST(State, ThatIsNotFiniteAtTheStartIsRefused) {
+#ifdef BRISANCE_FPE_TRAPS
+  GTEST_SKIP() << "such numbers are what traps are for";
+#endif
   for (const auto& [name, value] : {std::pair{"density", 1e-320}, {"pressure", 1e307}}) {
     List given = test::scene(1);
     given.sublist("bodies").sublist("first").set(name, value);
