@@ -12,7 +12,7 @@ namespace brisance {
 struct Verdict {
   std::string quantity, unit;
   double measured = 0, least = 0, most = 0;
-  /// NaN is never reached.
+  /// NaN is never reached, and raises no floating point exception.
   bool reached() const {
     return std::isgreaterequal(measured, least) && std::islessequal(measured, most);
   }
